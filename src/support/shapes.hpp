@@ -26,15 +26,6 @@ struct Without<ShapeList<Kept...>, ShapeList<Dropped...>, First, Rest...>
                                  ShapeList<Kept..., First>>,
               ShapeList<Dropped...>, Rest...> {};
 
-template <class Kept, template <class> class Keeps, class... Shape>
-struct Only {
-  using type = Kept;
-};
-template <class... Kept, template <class> class Keeps, class First, class... Rest>
-struct Only<ShapeList<Kept...>, Keeps, First, Rest...>
-    : Only<std::conditional_t<Keeps<First>::value, ShapeList<Kept..., First>, ShapeList<Kept...>>,
-           Keeps, Rest...> {};
-
 /// Types of shapes, in an order on which drawn cases depend: new ones come last.
 template <class... Shape>
 struct ShapeList {
@@ -57,10 +48,6 @@ struct ShapeList {
 
   template <class... Dropped>
   using without = typename Without<ShapeList<>, ShapeList<Dropped...>, Shape...>::type;
-
-  /// The shapes for which `Keeps<Shape>::value`.
-  template <template <class> class Keeps>
-  using only = typename Only<ShapeList<>, Keeps, Shape...>::type;
 
   /// Calls `f(Shape())` for every shape.
   template <class F>
@@ -106,11 +93,9 @@ template <Scalar S, int N>
 using MovingShapes =
     typename SceneShapes<S, N>::template without<Plane<S, N>>::template and_also<ConvexHull<S, N>>;
 
-template <class Shape>
-struct IsRound : std::bool_constant<detail::Round<Shape>> {};
 /// The points within a radius of a core.
 template <Scalar S, int N>
-using RoundShapes = typename SceneShapes<S, N>::template only<IsRound>;
+using RoundShapes = ShapeList<Sphere<S, N>, Capsule<S, N>>;
 
 /// A shape with fields, a segment or a ray.
 template <class Shape>

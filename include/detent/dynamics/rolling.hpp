@@ -15,14 +15,10 @@
 
 namespace detent::detail {
 
-/// Whether a body of this shape rolls.
-template <class Shape>
-inline constexpr bool is_round_body = Round<Shape>;
-
 /// The radius of a ball or capsule, on which it rolls.
 template <Scalar S, int N, class Shape>
 [[nodiscard]] constexpr std::optional<S> rolling_radius(const Shape& shape) noexcept {
-  if constexpr (is_round_body<Shape>) {
+  if constexpr (Round<Shape>) {
     return shape.radius;
   } else {
     return std::nullopt;

@@ -48,7 +48,7 @@ class Tick {
   using Body = typename Select<false, Parts...>::template In<BodyOf>;
   using Group = typename Select<true, Parts...>::template In<GroupOf>;
   using Joints = typename Group::List;
-  static constexpr bool has_round = (is_round_body<Parts> || ...);
+  static constexpr bool has_round = (Round<Parts> || ...);
   using ContactState = std::conditional_t<has_round, RollingContact<S, N>, BodyContact<S, N>>;
   static constexpr std::size_t bodies_room = Storage::capacity;
   static constexpr std::size_t contacts_room = contact_room(Storage::capacity);
@@ -366,7 +366,7 @@ class Tick {
             const auto& a = supports_[pair.a];
             const auto& b = supports_[pair.b];
             const auto offset = offset_between(a, b);
-            if constexpr (is_round_body<A> && is_round_body<B>) {
+            if constexpr (Round<A> && Round<B>) {
               const auto &reach_a = bodies[pair.a].reach, &reach_b = bodies[pair.b].reach;
               if (centers_are_apart(reach_a, reach_b, offset, margin)) return;
             }

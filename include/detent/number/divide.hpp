@@ -95,29 +95,14 @@ constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
   return {join(q), join(u)};
 }
 
-/// high 2^64 + low divided by d > high: the quotient, then the remainder, from two divisions of words.
-///
-/// source: Warren, Hacker's Delight, 2nd ed., 9-4, divlu
-[[nodiscard]] constexpr Division<std::uint64_t> divide_word(std::uint64_t high, std::uint64_t low,
-                                                            std::uint64_t d) noexcept {
+/// high 2^64 + low divided by d > high.
+[[nodiscard]] constexpr WordDivision<std::uint64_t> divide_word(std::uint64_t high,
+                                                                std::uint64_t low,
+                                                                std::uint64_t d) noexcept {
   const int scale = std::countl_zero(d);
-  d <<= scale;
-  const std::uint64_t d1 = d >> 32, d0 = static_cast<std::uint32_t>(d);
-  std::uint64_t left = scale == 0 ? high : (high << scale) | (low >> (64 - scale));
-  const std::uint64_t last = low << scale;
-  const auto next_half = [&](std::uint64_t next) {
-    std::uint64_t digit = left / d1, rest = left % d1;
-    while (digit >> 32 != 0 || digit * d0 > ((rest << 32) | next)) {
-      --digit;
-      rest += d1;
-      if (rest >> 32 != 0) break;
-    }
-    left = ((left << 32) | next) - digit * d;
-    return digit;
-  };
-  const std::uint64_t first = next_half(last >> 32);
-  const std::uint64_t second = next_half(static_cast<std::uint32_t>(last));
-  return {(first << 32) | second, left >> scale};
+  const std::uint64_t scaled_high = scale == 0 ? high : (high << scale) | (low >> (64 - scale));
+  const auto division = divide_double_word(scaled_high, low << scale, d << scale);
+  return {division.quotient, division.remainder >> scale};
 }
 
 /// `divide_long` of two words, without arrays of digits; denominator > 0.

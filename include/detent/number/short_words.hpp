@@ -131,31 +131,43 @@ template <class A, class B>
   }
 }
 
-struct HalfDivision {
-  std::uint32_t quotient;
-  std::uint32_t remainder;
+template <class Word>
+struct WordDivision {
+  Word quotient;
+  Word remainder;
 };
+using HalfDivision = WordDivision<std::uint32_t>;
 
-/// floor(n / d) and the remainder, for d >= 2^31 and a quotient below 2^32, from 32-bit divisions.
+/// floor(n / d) and the remainder of the double word n = (high, low), for high < d and a d whose
+/// first bit is set, from divisions of words.
 ///
-/// source: Warren, Hacker's Delight, 9-4
-[[nodiscard]] constexpr HalfDivision divide_halves_portable(std::uint64_t n,
-                                                            std::uint32_t d) noexcept {
-  const std::uint32_t d1 = d >> 16, d0 = d & 0xffff;
-  auto rest = static_cast<std::uint32_t>(n >> 32);
-  const auto next_digit = [&](std::uint32_t next) {
-    std::uint32_t digit = rest / d1, left = rest % d1;
-    while (digit >> 16 != 0 || digit * d0 > ((left << 16) | next)) {
+/// source: Warren, Hacker's Delight, 2nd ed., 9-4, divlu
+template <class Word>
+[[nodiscard]] constexpr WordDivision<Word> divide_double_word(Word high, Word low,
+                                                              Word d) noexcept {
+  constexpr int half = 4 * sizeof(Word);
+  constexpr Word mask = (Word{1} << half) - 1;
+  const Word d1 = d >> half, d0 = d & mask;
+  Word rest = high;
+  const auto next_digit = [&](Word next) {
+    Word digit = rest / d1, left = rest % d1;
+    while (digit >> half != 0 || digit * d0 > ((left << half) | next)) {
       --digit;
       left += d1;
-      if (left >> 16 != 0) break;
+      if (left >> half != 0) break;
     }
-    rest = ((rest << 16) | next) - digit * d;
+    rest = ((rest << half) | next) - digit * d;
     return digit;
   };
-  const std::uint32_t high = next_digit(static_cast<std::uint32_t>(n) >> 16);
-  const std::uint32_t low = next_digit(static_cast<std::uint32_t>(n) & 0xffff);
-  return {(high << 16) | low, rest};
+  const Word first = next_digit(low >> half);
+  const Word second = next_digit(low & mask);
+  return {(first << half) | second, rest};
+}
+
+/// floor(n / d) and the remainder, for d >= 2^31 and a quotient below 2^32, from 32-bit divisions.
+[[nodiscard]] constexpr HalfDivision divide_halves_portable(std::uint64_t n,
+                                                            std::uint32_t d) noexcept {
+  return divide_double_word(static_cast<std::uint32_t>(n >> 32), static_cast<std::uint32_t>(n), d);
 }
 
 /// floor(n / d) and the remainder, for d >= 2^31 and a quotient below 2^32.

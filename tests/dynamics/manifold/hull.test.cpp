@@ -437,13 +437,11 @@ std::optional<SolidHull<T, 3>> draw_any_hull(Random& random, int bits, std::vect
   return solid_hull(1, ConvexHull<T, 3>{to});
 }
 
-TEMPLATE_TEST_CASE("manifold: edges and faces left out change nothing", "", q16_16, q14_16, q24_8,
-                   q8_8) {
-  using T = TestType;
+template <class T>
+void compare_short_cuts(int rounds) {
   Random random(24);
   ShortCuts<T> checked;
   std::vector<Vec<T, 3>> first, second;
-  const int rounds = 4000;
   for (int i = 0; i < rounds; ++i) {
     const int most = (std::min)(bits_of<T> - 1, 25);
     const int bits = static_cast<int>(random.between(4, most));
@@ -472,6 +470,15 @@ TEMPLATE_TEST_CASE("manifold: edges and faces left out change nothing", "", q16_
   CHECK(checked.fewer > checked.hits / 5);
   CHECK(checked.regular > rounds / 5);
   CHECK(checked.regular < rounds);
+}
+
+TEMPLATE_TEST_CASE("manifold: edges and faces left out change nothing", "", q16_16, q14_16, q24_8,
+                   q8_8) {
+  compare_short_cuts<TestType>(4000);
+}
+TEMPLATE_TEST_CASE("manifold: long comparison of edges and faces left out", "[.demand]", q16_16,
+                   q14_16, q24_8, q8_8) {
+  compare_short_cuts<TestType>(200'000);
 }
 
 TEST_CASE("manifold: a hull without an asset touches nothing") {

@@ -61,17 +61,13 @@ void compare(const Aabb<S, 3>& box, const Capsule<S, 3>& capsule, Rates& rates) 
 
 template <Scalar S>
 void compare_some(int bits, int asked, Turning turning, Rates& oriented, Rates& aligned) {
-  Random random(static_cast<std::uint64_t>(bits));
-  INFO(random);
-  for (int i = 0; i < asked; ++i) {
-    CAPTURE(bits, i);
-    BoxesAndSegments<S> draw(random, bits);
+  draw_boxes_and_segments<S>(bits, asked, [&](BoxesAndSegments<S> draw) {
     const auto box = draw.box(turning);
     compare(box, draw.segment(box), draw.radius(), oriented);
     const auto along_axes = draw.aligned_box();
     const auto [a, b] = draw.segment(along_axes);
     compare(along_axes, Capsule<S, 3>{a, b, draw.radius()}, aligned);
-  }
+  });
 }
 
 TEMPLATE_TEST_CASE("contact of a capsule and a box: the filter is exact", "[query]", q16_16, q14_16,

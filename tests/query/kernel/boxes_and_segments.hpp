@@ -9,6 +9,7 @@
 #include "detent/shape/obb.hpp"
 #include "detent/shape/segment.hpp"
 #include "query/kernel/turns.hpp"
+#include "support/catch.hpp"
 #include "support/random.hpp"
 
 namespace detent::test {
@@ -76,5 +77,16 @@ class BoxesAndSegments {
   Random& random_;
   std::int64_t reach_;
 };
+
+/// Calls f(draw) with a `BoxesAndSegments`, `asked` times.
+template <Scalar S, class F>
+void draw_boxes_and_segments(int bits, int asked, const F& f) {
+  Random random(static_cast<std::uint64_t>(bits));
+  INFO(random);
+  for (int i = 0; i < asked; ++i) {
+    CAPTURE(bits, i);
+    f(BoxesAndSegments<S>(random, bits));
+  }
+}
 
 }  // namespace detent::test

@@ -41,17 +41,13 @@ void compare(const Box& box, const Obb<S, 3>* same, const Segment<S, 3>& segment
 
 template <Scalar S>
 void compare_some(int bits, int asked, Turning turning, Rates& rates) {
-  Random random(static_cast<std::uint64_t>(bits));
-  INFO(random);
-  for (int i = 0; i < asked; ++i) {
-    CAPTURE(bits, i);
-    BoxesAndSegments<S> draw(random, bits);
+  draw_boxes_and_segments<S>(bits, asked, [&](BoxesAndSegments<S> draw) {
     const auto box = draw.box(turning);
     const auto segment = draw.segment(box);
     compare(box, &box, segment, draw.radius(), rates);
     const auto aligned = draw.aligned_box();
     compare(aligned, static_cast<const Obb<S, 3>*>(nullptr), draw.segment(aligned), S(0), rates);
-  }
+  });
 }
 
 TEMPLATE_TEST_CASE("segment in frame: what it is sure of is exact", "[query]", q16_16, q14_16,

@@ -53,12 +53,7 @@ template <bool WithNormal, class A, Scalar S, int N>
                                                                const Plane<S, N>& plane) noexcept {
   if (limit < 0 || !has_points(a)) return std::nullopt;
   const auto body = body_of(core_of(a));
-  const auto& n = plane.normal.vec();
-  constexpr int bits = bits_of<std::remove_cvref_t<decltype(body.some().x)>> + 1;
-  const auto height_of = [&](bool farthest) {
-    return dot(n, body.template extreme<bits>(n, body.some(), farthest)) - plane.offset;
-  };
-  const auto lowest = height_of(false), highest = height_of(true);
+  const auto [lowest, highest] = heights_above(plane, body);
   const bool is_above = lowest > 0;
   using Height = std::remove_cvref_t<decltype(lowest)>;
   const Height height = is_above      ? lowest
@@ -69,7 +64,7 @@ template <bool WithNormal, class A, Scalar S, int N>
   const auto nn = squared_length(plane.normal);
   const auto along = dot(plane.normal, direction);
   const auto speed = is_above ? along : narrow_negative(along);  // negative if it falls
-  if constexpr (is_fixed<S> && filter_pays<S>) {
+  if constexpr (filter_pays<S>) {
     const auto decided = decide_time_to_plane(height, S(radius), nn, narrow_negative(speed), limit);
     if (decided.is_sure) {
       if (!decided.value) return std::nullopt;

@@ -149,7 +149,7 @@ template <class A, Scalar S, int N>
   const auto& n = plane.normal.vec();
   const auto from = a.some();
   constexpr int bits = bits_of<std::remove_cvref_t<decltype(from.x)>> + 1;
-  const auto height = [&](const auto& corner) { return dot(n, corner) - plane.offset; };
+  const auto height = [&](const auto& corner) { return height_above(plane, corner); };
   const auto lowest = a.template extreme<bits>(n, from, false);
   const auto highest = a.template extreme<bits>(n, from, true);
   const bool is_above = height(lowest) + height(highest) > 0;
@@ -162,7 +162,7 @@ template <class A, Scalar S, int N>
     const auto whole = squared_length(plane.normal);
     return rounded<S>(RationalPoint{nearest * whole - n * above, whole});
   };
-  if constexpr (is_fixed<S> && filter_pays<S>) {
+  if constexpr (filter_pays<S>) {
     return or_exact(decide_foot(nearest, plane.normal, above), exact);
   } else {
     return exact();

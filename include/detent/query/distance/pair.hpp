@@ -16,6 +16,7 @@
 #include "detent/query/kernel/gjk.hpp"
 #include "detent/query/kernel/length.hpp"
 #include "detent/query/kernel/point_obb.hpp"
+#include "detent/query/kernel/point_plane.hpp"
 #include "detent/query/kernel/segment_in_frame.hpp"
 #include "detent/query/kernel/touch_witness.hpp"
 #include "detent/query/kernel/within_slabs.hpp"
@@ -33,12 +34,7 @@ concept HaveDistance = HasDistances<A> && HasDistances<B> && !MixedArguments<A, 
 /// normal; 0 between them.
 template <Scalar S, int N, class Body>
 [[nodiscard]] constexpr auto height_of_body(const Plane<S, N>& plane, const Body& body) noexcept {
-  const auto& n = plane.normal.vec();
-  constexpr int bits = bits_of<decltype(body.some().x)> + 1;
-  const auto height = [&](bool farthest) {
-    return height_above(plane, body.template extreme<bits>(n, body.some(), farthest));
-  };
-  const auto lowest = height(false), highest = height(true);
+  const auto [lowest, highest] = heights_above(plane, body);
   using Height = std::remove_cvref_t<decltype(lowest)>;
   return lowest > 0 ? lowest : highest < 0 ? highest : Height();
 }
@@ -126,39 +122,33 @@ inline constexpr bool has_gap_of_bodies = [] {
   return !(is_kind<A, Obb> && is_kind<B, Segment>)&&!(is_kind<A, Segment> && is_kind<B, Obb>);
 }();
 
+/// Whether the distance of two cores is found as that of b and a.
+template <class A, class B>
+inline constexpr bool is_b_first =
+    (is_kind<A, Vec> && (is_kind<B, Segment> || is_kind<B, Triangle> || is_kind<B, Obb>)) ||
+    (is_kind<B, Plane> && !is_kind<A, Plane>) ||
+    (is_kind<A, Segment> && (is_kind<B, Obb> || has_segment_in_frame<B>));
+
 /// The distance of two cores that have points, rounded down.
 template <Scalar S, class A, class B>
 [[nodiscard]] constexpr Length<S> gap_floor(const A& a, const B& b) noexcept {
-  constexpr bool is_point = is_kind<A, Vec>, is_point_last = is_kind<B, Vec>;
-  constexpr bool is_plane = is_kind<A, Plane>, is_plane_last = is_kind<B, Plane>;
-  if constexpr ((is_point && (is_kind<B, Segment> || is_kind<B, Triangle>)) ||
-                (is_plane_last && !is_plane)) {
+  constexpr bool is_plane = is_kind<A, Plane>;
+  if constexpr (has_segment_in_frame<A> && is_kind<B, Segment>) {
+    const auto distance = SegmentInFrame<S>(a, b).distance_floor();
+    if (distance.is_sure) return distance.value;
+  }
+  if constexpr (is_b_first<A, B>) {
     return gap_floor<S>(b, a);
-  } else if constexpr (is_point_last && (is_kind<A, Segment> || is_kind<A, Triangle>)) {
+  } else if constexpr (is_kind<B, Vec> && (is_kind<A, Segment> || is_kind<A, Triangle>)) {
     return distance_to<Length<S>>(a, b);
-  } else if constexpr (is_plane && is_plane_last) {
+  } else if constexpr (is_plane && is_kind<B, Plane>) {
     const auto squared = squared_gap_of_planes(a, b);
     return squared.numerator == 0 ? Length<S>(0) : sqrt_floor<Length<S>>(squared);
   } else if constexpr (is_plane && (filter_pays<S> || (is_fixed<S> && !is_kind<B, Obb>))) {
     return divide_by_length<Length<S>>(height_of_core(a, b), squared_length(a.normal));
-  } else if constexpr (is_kind<A, Vec> && is_kind<B, Obb>) {
-    return gap_in_frame<Length<S>>(b, a);
   } else if constexpr (is_kind<A, Obb> && is_kind<B, Vec>) {
     return gap_in_frame<Length<S>>(a, b);
-  } else if constexpr (is_kind<A, Segment> && is_kind<B, Obb>) {
-    return gap_floor<S>(b, a);
-  } else if constexpr (is_kind<A, Obb> && is_kind<B, Segment>) {
-    if constexpr (has_segment_in_frame<A>) {
-      const auto distance = SegmentInFrame<S>(a, b).distance_floor();
-      if (distance.is_sure) return distance.value;
-    }
-  } else if constexpr (is_kind<A, Segment> && has_segment_in_frame<B>) {
-    return gap_floor<S>(b, a);
   } else if constexpr (filter_pays<S> && has_gap_of_bodies<A, B>) {
-    if constexpr (has_segment_in_frame<A> && is_kind<B, Segment>) {
-      const auto distance = SegmentInFrame<S>(a, b).distance_floor();
-      if (distance.is_sure) return distance.value;
-    }
     if constexpr ((is_kind<A, Obb> || is_kind<A, Aabb>)&&(is_kind<B, Obb> || is_kind<B, Aabb>)) {
       if (decide_boxes_overlap(a, b) == Filtered::yes) return Length<S>(0);
       if constexpr (has_box_witness<A, B>) {

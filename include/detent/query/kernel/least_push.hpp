@@ -14,6 +14,7 @@
 #include "detent/query/kernel/gjk.hpp"
 #include "detent/query/kernel/length.hpp"
 #include "detent/query/kernel/point_obb.hpp"
+#include "detent/query/kernel/point_plane.hpp"
 #include "detent/query/kernel/push_witness.hpp"
 #include "detent/query/kernel/within_slabs.hpp"
 #include "detent/shape/plane.hpp"
@@ -109,12 +110,7 @@ template <Scalar S, int N, class Body, Number Radius>
 [[nodiscard]] constexpr auto least_push_from_plane(const Plane<S, N>& plane, const Body& body,
                                                    const Radius& radius) noexcept {
   using Result = LeastPush<Direction<S, N>, Depth<S>>;
-  const auto& n = plane.normal.vec();
-  constexpr int bits = bits_of<decltype(body.some().x)> + 1;
-  const auto height = [&](bool farthest) {
-    return dot(n, body.template extreme<bits>(n, body.some(), farthest)) - plane.offset;
-  };
-  const auto lowest = height(false), highest = height(true);
+  const auto [lowest, highest] = heights_above(plane, body);
   const auto squared = squared_length(plane.normal);
   std::optional<Result> result;
   if (lowest > 0 || highest < 0) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <utility>
+
 #include "detent/number/fraction.hpp"
 #include "detent/shape/plane.hpp"
 
@@ -21,6 +23,17 @@ template <Scalar S, Number T, int N>
 [[nodiscard]] constexpr auto height_above(const Plane<S, N>& plane,
                                           const Vec<T, N>& point) noexcept {
   return dot(plane.normal, point) - plane.offset;
+}
+
+/// The heights of the lowest and of the highest corner of a body.
+template <Scalar S, int N, class Body>
+[[nodiscard]] constexpr auto heights_above(const Plane<S, N>& plane, const Body& body) noexcept {
+  constexpr int bits = bits_of<decltype(body.some().x)> + 1;
+  const auto height = [&](bool farthest) {
+    return height_above(plane,
+                        body.template extreme<bits>(plane.normal.vec(), body.some(), farthest));
+  };
+  return std::pair{height(false), height(true)};
 }
 
 /// Whether `point` lies in `plane`: dot(normal, point) = offset, with the normal exactly as stored.

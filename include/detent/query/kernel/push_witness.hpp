@@ -320,7 +320,8 @@ class PushWitness {
 
   /// Whether no difference is beyond the exact plane of facet i; its height is positive.
   [[nodiscard]] constexpr bool certify(std::size_t i) noexcept {
-    if (!(facets_[i].key > last_bits)) return false;  // so that of no facet is negative
+    // Up to the last bits this key is the least: beyond them, all keys are positive.
+    if (!(facets_[i].key > last_bits)) return false;
     constexpr int bits = bits_of<T>;
     const auto& corners_a = corners_a_;
     const auto& corners_b = corners_b_;
