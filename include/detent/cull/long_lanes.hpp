@@ -18,7 +18,9 @@
 // On x86-64 the vectors exist even without -mavx2: functions between DETENT_BEGIN_LONG_LANES and
 // DETENT_END_LONG_LANES are compiled for AVX2, and callers must test `runs_vectors()` first. Other
 // functions must not take or return lanes by value. (Not on Windows, where GCC does not align
-// vectors on the stack.) GCC has __builtin_shufflevector from version 12 on.
+// vectors on the stack.)
+//
+// GCC has __builtin_shufflevector since version 12.
 #if defined(__AVX2__) && (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12))
 #define DETENT_LONG_LANES 2
 #elif defined(__wasm_simd128__) && defined(__clang__)

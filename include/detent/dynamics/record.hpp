@@ -48,7 +48,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool is_locked(std::uint8_t locked, int axis) noexcept {
   return ((locked >> axis) & 1) != 0;
 }
-/// Whether it is locked against turning about an axis; in 2D about the only one.
+/// Whether a body is locked against turning about an axis; in 2D there is only one.
 template <int N>
 [[nodiscard]] constexpr bool is_turn_locked(std::uint8_t locked, int axis) noexcept {
   return N == 2 ? (locked & AxisLock::turn) != 0 : is_locked(locked, axis + 3);
