@@ -47,7 +47,7 @@ Throw moved(const Throw& thrown, double distance) {
   return result;
 }
 
-/// Those that hit, `depth` farther than that.
+/// The throws that hit, moved `depth` past the hit.
 std::vector<Throw> pressed(const std::vector<Throw>& throws, const CastReport& report,
                            double depth) {
   std::vector<Throw> bodies;
@@ -62,7 +62,7 @@ std::vector<Throw> pressed(const std::vector<Throw>& throws, const CastReport& r
 /// origin.
 struct ContactErrors {
   std::size_t wrong = 0;  // a contact instead of none, or the reverse
-  std::size_t off = 0;    // pushed to a place that is off by more than 1/1024
+  std::size_t off = 0;    // pushed to a position that is off by more than 1/1024
   double largest = 0;
 };
 
