@@ -210,7 +210,7 @@ CastPage cast_page(const Scene& scene, const DemoOptions& options) {
           "balls and capsules cast through the arena, compared with q16_16 near the origin\n"
           "(wrong: hit instead of miss or miss instead of hit; off: by more than 1/1024):\n",
           table,
-          "their contacts 1/16 past where q16_16 touches near the origin, compared with it\n"
+          "their contacts, 1/16 past the touch of q16_16 near the origin, compared with it\n"
           "(wrong: contact instead of none or none instead of contact; off: pushed out to a\n"
           "place that is off by more than 1/1024):\n",
           contact_table};

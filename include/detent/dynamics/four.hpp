@@ -267,7 +267,7 @@ class FourBodies {
   using Body = Moving<S, 3>;
   using Speed = Four<typename Formats<S>::Speed, L>;
   using Spin = Four<typename Formats<S>::Spin, L>;
-  static_assert(!is_fixed<S> || sizeof(Body) == 48, "detent: twelve numbers of 32 bits");
+  static_assert(!is_fixed<S> || sizeof(Body) == 48, "detent: twelve 32-bit numbers");
 
  public:
   FourBodies(Body* bodies, const Quad<std::uint32_t>& indices) noexcept : after_() {

@@ -202,7 +202,7 @@ class Session {
   static constexpr std::uint32_t notice = 32;  // frames from giving a seat to taking it
   static constexpr bool can_serve = Limits.snapshot > 0 && SnapshotWorld<World>;
   static_assert(Limits.snapshot == 0 || SnapshotWorld<World>,
-                "who comes late needs snapshot(world, room) and restore(world, bytes)");
+                "a late joiner needs snapshot(world, room) and restore(world, bytes)");
   static constexpr std::size_t slice_size = Limits.packet - detail::Packet::slice_room;
   static constexpr std::size_t most_peers_mark = 15;  // no source yet
 
