@@ -17,7 +17,7 @@ struct BodyState {
   static constexpr int orientation_size = N == 2 ? 2 : 4;
 
   Vec<typename F::Place, N> place{};                       // of the center of mass
-  Vec<typename F::Ratio, orientation_size> orientation{};  // cosine, sine; or quaternion x y z w
+  Vec<typename F::Ratio, orientation_size> orientation{};  // cosine, sine; quaternion x y z w
   Vec<typename F::Speed, N> velocity{};                    // per substep
   Axial<typename F::Spin, N> spin{};                       // per substep, about the world's axes
 

@@ -214,7 +214,7 @@ template <class L, Scalar S>
     for (std::size_t t = 0; t < 2; ++t) {
       for (std::size_t c = 0; c < 3; ++c) across[t][c][k] = both[t][static_cast<int>(c)];
     }
-    if (points == 1) continue;  // at the middle
+    if (points == 1) continue;  // it is the middle
     std::array<Arm, Group::capacity> distance{};
     for (std::size_t i = 0; i < points; ++i) {
       const Vec<Lever, 3> p{at[i][0][k], at[i][1][k], at[i][2][k]};

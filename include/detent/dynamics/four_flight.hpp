@@ -113,7 +113,7 @@ template <int Halvings, Scalar S, class L>
   }
   const L e = down(squares + down(mixed, s - 1) + power(17), 18);  // in steps of 2^-42
   round.template checked<Fixed<31, 42>>(Four<Fixed<62, 42>, L>(e));
-  const L slope = L(LongWord{3} << 28) - down((e << 2) + e, 15);  // of 2^-31
+  const L slope = L(LongWord{3} << 28) - down((e << 2) + e, 15);  // in steps of 2^-31
   const L part = power(30) - down(L::product(e, slope), 42);
   const L d = down(L::product(e, part) + power(30), 31);
   std::array<Four<Ratio, L>, 4> result;

@@ -132,8 +132,8 @@ constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, co
       const bool is_in = bodies[i].first_strip <= strip && strip <= bodies[i].last_strip;
       size += is_in ? 1u : 0u;
     }
-    // Most bodies that overlap along x are apart along another axis, unpredictably. So this is
-    // branchless: every pair is written, and the next one overwrites it unless the bodies overlap.
+    // Branchless, because it is unpredictable which bodies are apart along another axis: every pair
+    // is written, and the next one overwrites it unless the bodies overlap.
     std::array<BodyPair, 64> met{};
     std::size_t met_size = 0;
     const auto report = [&] {

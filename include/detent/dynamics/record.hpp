@@ -96,7 +96,7 @@ struct BodyRecord {
   bool is_fast = false;
   Shape shape{};  // in the body's frame
   BodyState<S, N> state{};
-  Vec<typename F::Speed, N> push{};  // by forces, in each substep of the next tick
+  Vec<typename F::Speed, N> push{};  // gained from forces in each substep of the next tick
   Axial<typename F::Spin, N> twist{};
 
   // Derived from the others.

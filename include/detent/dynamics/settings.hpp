@@ -60,7 +60,7 @@ struct BodyOptions {
   bool is_sensor = false;                           // touches are reported, and push nothing
   bool is_fast = false;                       // never passes through others: continuous collision
   std::uint32_t layers = 1;                   // the layers that it is in
-  std::uint32_t collides_with = 0xffffffffu;  // layers it meets; must hold for both
+  std::uint32_t collides_with = 0xffffffffu;  // layers it collides with; both bodies must agree
   std::uint64_t user = 0;                     // any word; saved, never read
   /// Stops balls and capsules from rolling and spinning: the greatest torque of a contact against
   /// it, as a share of its pressure times the radius. Two bodies: the greater one; 0.05 is a lot.
