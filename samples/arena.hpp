@@ -15,7 +15,7 @@ namespace samples {
 /// The state that both players simulate. It never allocates, so a rollback copies plain bytes.
 using Arena = BoundedWorld<Bounded<16>, S, 2, Sphere, Obb>;
 
-/// A player's input, in bytes, as packets and replays store it.
+/// A player's input, as bytes that packets and replays store.
 struct Pad {
   std::int8_t x = 0, y = 0;
 };

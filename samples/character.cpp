@@ -89,7 +89,7 @@ class Character final : public Sample {
     ids.push_back(things.add(shape, {.motion = Motion::fixed}).value_or(no_object));
     colours.push_back(colour);
   }
-  /// The keys of its round: over the stairs to the wall, back over a block, up with the lift.
+  /// The keys of its tour: over the stairs to the wall, back over a block, up with the lift.
   [[nodiscard]] Input of_round() const {
     struct Leg {
       int until;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What does a camera see of a town? A scene can be queried with a frustum as with a ray, and the
-// answer is exact: a house that touches the frustum in one point is in it.
+// Which houses of a town does a camera see? A scene can be queried with a frustum as with a ray,
+// and the answer is exact: a house that touches the frustum in a single point is visible.
 #include <detent/shape/camera.hpp>
 
 #include "bodies.hpp"

@@ -42,7 +42,7 @@ std::array<float, 16> matrix(const View& view, float aspect) {
   const Float3 x = unit({z[2], 0, -z[0]});  // y is up
   const Float3 y{z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0]};
   const float range = std::sqrt(dot3(back, back));
-  // A window as wide as high shows more, so that narrow screens still show the whole scene.
+  // Narrow windows show more, so that the whole scene stays visible.
   const float room = aspect < 1.5f ? 1.5f / aspect : 1.0f;
   const float scale = 2 * range / (view.height * room);
   const float nearest = range / 64, farthest = range * 16;

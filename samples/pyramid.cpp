@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A pyramid of 55 boxes at rest until a ball hits it. This is the whole use of a world: add bodies,
-// call step(), read their poses.
+// A pyramid of 55 boxes at rest until a ball hits it. This is all there is to using a world: add
+// bodies, call step(), read their poses.
 #include "bodies.hpp"
 
 namespace samples {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A turning lidar casts 270 rays per tick into a scene. Every hit is exact, and every distance is
+// A rotating lidar casts 270 rays per tick into a scene. Every hit is exact, and every distance is
 // rounded once.
 #include "bodies.hpp"
 

@@ -3,8 +3,8 @@
 
 // The interface of a sample: one class per file, which builds a scene, steps it by one tick, draws
 // it, and has a digest of its state that is the same on every machine. The same sources run in a
-// terminal (native.cpp) and in a page (page.cpp). Pictures use float, because they are only for the
-// eye; the simulation does not.
+// terminal (native.cpp) and in a page (page.cpp). Pictures use float, because they are only for
+// display; the simulation does not.
 
 #include <array>
 #include <cmath>
@@ -27,7 +27,7 @@ using S = q16_16;
 using Point = Vec<S, 3>;
 using Point2 = Vec<S, 2>;
 
-/// The player's input in a tick, in whole numbers, so that a recorded match has the same ones.
+/// The player's input in a tick, in whole numbers, so that a recorded match can repeat it exactly.
 struct Input {
   static constexpr std::uint8_t left = 1, right = 2, up = 4, down = 8, action = 16;
   std::uint8_t keys = 0;

@@ -105,7 +105,7 @@ class Vehicle final : public Sample {
   static constexpr int size = 49, cell = 2;
   static constexpr Colour grass{0x9c, 0xbf, 0x7d}, meadow{0x8f, 0xb4, 0x72};
 
-  /// Drives to and fro, and turns back at the edges.
+  /// Drives back and forth, turning around at the edges.
   [[nodiscard]] int by_itself() const {
     const auto place = world.position(car.id);
     const auto ahead = world.rotation(car.id).axis(0);

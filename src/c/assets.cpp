@@ -26,7 +26,7 @@ void destroy_asset(Context& context, void* object) {
   context.release(holder, sizeof(Holder<Asset>));
 }
 
-/// Keeps make(holder), an asset of `id`, in the context.
+/// Stores the asset make(holder) with this `id` in the context.
 template <class Asset, class Make>
 detent_status add_asset(Context& context, std::uint32_t id, detent_handle* out, const Make& make) {
   *out = 0;
@@ -85,7 +85,7 @@ using FieldHolder = Holder<FieldAsset<S>>;
 
 }  // namespace
 
-/// Stores an asset of points, which make(hull) makes from a copy, or nothing.
+/// Stores an asset of points, which make(hull) makes from a copy, or nothing if it cannot.
 template <class Asset, int N, class Make>
 detent_status add_points(detent_context* context, std::uint32_t id,
                          const typename Types<N>::Vec* points, std::uint32_t count,

@@ -18,8 +18,8 @@
 #include "detent/scene/mesh.hpp"
 
 // The table of a context. A handle is a generation (15 bits), an index of the table (12) and a kind
-// (5). A slot keeps the handle that was issued for it, so one comparison finds a wrong or stale
-// one. A slot whose generations are used up is never reused.
+// (5). A slot keeps the handle that was issued for it, so one comparison detects a wrong or stale
+// handle. A slot whose generations are used up is never reused.
 namespace detent::c {
 
 enum class Kind : std::uint32_t {
@@ -67,7 +67,7 @@ struct Slot {
   bool (*refers_to)(const void* object, const void* asset) = nullptr;
 };
 
-/// Assets of one type, at stable addresses; free ones have the id 0.
+/// Assets of one type, at stable addresses; unused ones have the id 0.
 template <class Asset>
 struct Assets {
   static constexpr std::uint32_t capacity = sizeof(Asset) < 1024 ? 256 : 64;
@@ -144,7 +144,7 @@ class Context {
   [[nodiscard]] Slot* reserve(Kind kind, detent_status& status) noexcept;
   void give_back(Slot& slot) noexcept;
 
-  /// Makes an object in a slot of its own.
+  /// Makes an object in a new slot.
   template <class T, class... Arguments>
   detent_status make(Kind kind, detent_handle* out, bool (*refers_to)(const void*, const void*),
                      const Arguments&... arguments) {

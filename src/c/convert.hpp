@@ -57,8 +57,8 @@ class Input {
       return {number(v.x), number(v.y), number(v.z)};
     }
   }
-  /// Inlined: otherwise a direction returned in registers is stored in other words than it is
-  /// loaded in.
+  /// Inlined: otherwise a direction returned in registers is stored in words of another size than
+  /// it is loaded in, which stalls.
   [[gnu::always_inline]] Direction<S, N> direction(const typename T::Direction& d) noexcept {
     const auto read = [&] {
       if constexpr (N == 2) {
@@ -173,7 +173,7 @@ struct Output {
 /// The same for each kind that a single query takes.
 #define DETENT_C_SHAPES(F, N) DETENT_C_SCENE_SHAPES(F, N) F(N, SEGMENT, Segment, segment)
 
-/// The answer to a query that shapes of this kind do not have.
+/// The status of a query that shapes of this kind do not have.
 [[nodiscard]] constexpr detent_status no_query(std::uint32_t kind) noexcept {
   return kind >= DETENT_SPHERE && kind <= DETENT_COMPOUND ? DETENT_NO_QUERY : DETENT_BAD_ARGUMENT;
 }

@@ -32,8 +32,7 @@ detent_status with_hull(const detent_context* context, const typename Types<N>::
   return f(ConvexHull<S, N>{std::span<const Vec<S, N>>(room.points).first(room.count)});
 }
 
-/// The same for a hull as given, and for other shapes as capsule, OBB, plane or hull: see
-/// points.hpp.
+/// The same, also for other shapes, converted to a capsule, OBB, plane or hull: see points.hpp.
 template <int N, class F>
 detent_status with_hull_or_points(const detent_context* context,
                                   const typename Types<N>::Shape& shape, const F& f) {

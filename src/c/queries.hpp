@@ -31,7 +31,7 @@ template <template <class, int> class Shape, int N>
 }
 
 /// `Ask::of<Shape>(arguments...)` for a kind of shape: separate functions, to which this jumps, so
-/// that a sphere does not pay for the registers and the stack of an OBB.
+/// that a sphere does not pay for the registers and stack that an OBB needs.
 template <class Ask, class... Arguments>
 [[gnu::always_inline]] inline detent_status jump(std::uint32_t kind, Arguments... arguments) {
 #define DETENT_C_JUMP(N, KIND, Shape, name) \
@@ -45,15 +45,15 @@ template <class Ask, class... Arguments>
 #undef DETENT_C_JUMP
 }
 
-// One function without calls, if space allows: passing a ray on in memory waits for its words to be
-// stored, which costs 10 ns of a raycast.
+// One function without calls, unless compiled for size: passing a ray on in memory stalls until its
+// words are stored, which takes 10 ns of a raycast.
 #ifdef __OPTIMIZE_SIZE__
 #define DETENT_C_FLAT [[gnu::noinline]]
 #else
 #define DETENT_C_FLAT [[gnu::noinline, gnu::flatten]]
 #endif
 
-/// Shapes whose overlaps are a few instructions: one more call would cost as much.
+/// Shapes whose overlaps take a few instructions: another call would take as long.
 template <class Shape>
 inline constexpr bool is_plain = kind_of<Shape> <= DETENT_AABB;
 

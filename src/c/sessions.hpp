@@ -25,7 +25,7 @@ template <int N>
 struct Game {
   typename Worlds<N>::World world;
   Words words;
-  const Context* table = nullptr;  // with the hulls of snapshots
+  const Context* table = nullptr;  // has the assets of snapshots
 };
 template <int N, class F>
 void for_each_field(const Game<N>& game, const F& f) {
@@ -65,7 +65,7 @@ struct Play {
   using Inputs = FrameInputs<Press, DETENT_PLAYERS>;
   static constexpr Kind world_kind = Worlds<N>::kind;
 
-  /// Makes a `Holder` of arguments, and a handle for its world.
+  /// Makes a `Holder` from the arguments, and a handle for its world.
   template <class Holder, class... Arguments>
   static detent_status make(Context& table, detent_handle* out, Arguments&... arguments) {
     detent_status status = DETENT_OK;
@@ -99,7 +99,7 @@ struct Play {
     slot = table.find(Holder::kind, handle);
     slot->object = memory;
     slot->refers_to = [](const void* object, const void* asset) {
-      // Worlds of earlier frames may refer to any of them.
+      // Worlds of earlier frames may refer to any asset.
       const auto& game = static_cast<const Holder*>(object)->current();
       return bodies_can_have<N>(*game.table, asset);
     };

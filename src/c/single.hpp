@@ -5,8 +5,8 @@
 
 namespace detent::c {
 
-/// The functions of the interface about one shape or two, of one dimension: code that needs their
-/// results does not compile them again.
+/// The functions of the interface for one shape or two, in one dimension. Code that needs their
+/// results calls these instead of compiling the templates again.
 template <int N>
 struct Single;
 #define DETENT_C_SINGLE(N)                                                 \

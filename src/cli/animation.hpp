@@ -16,7 +16,7 @@ class Animation {
   /// Each picture is shown for `numerator / denominator` seconds.
   Animation(int numerator, int denominator) : numerator_(numerator), denominator_(denominator) {}
 
-  /// Of the size of the first one.
+  /// Adds a picture, which must have the size of the first one.
   void add(const Image& picture);
 
   /// The bytes of the file; there must be a picture.

@@ -12,14 +12,14 @@ namespace detent::cli {
 /// The largest width + height of an image: the camera counts half pixels in 15 bits.
 inline constexpr int largest_image = 1 << 14;
 
-/// A vector in doubles, which hold every scalar's number.
+/// A vector in doubles, which represent the numbers of every scalar.
 template <class T>
 [[nodiscard]] std::array<double, 3> in_double(const Vec<T, 3>& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-/// A camera in doubles, to draw over a picture: it sees position + depth (ahead + x right + y up),
-/// where y is from -1 to 1, and x too in a square picture.
+/// A camera in doubles, to draw over a picture. The point at x, y and depth is position + depth
+/// (ahead + x right + y up), with y from -1 to 1, and x too in a square picture.
 struct View {
   std::array<double, 3> position, ahead, right, up;
 };

@@ -22,13 +22,13 @@ struct Throw {
   Colour colour{};
 };
 
-/// What throws touch first, by the library's `cast` in one scalar.
+/// What throws touch first, computed by the library's `cast` in one scalar.
 struct CastReport {
-  /// How far each goes; nothing for a miss.
+  /// The distance of each; nothing for a miss.
   std::vector<std::optional<double>> distances;
-  /// Of all distances.
+  /// The digest of all distances.
   std::uint64_t digest = 0;
-  /// If they are drawn: their ends, as meshes that are not moved yet.
+  /// If they are drawn: the bodies at their ends, as meshes.
   std::vector<ShapeModel> bodies;
   /// Their starts and paths.
   std::vector<Outline> lines;
@@ -49,11 +49,11 @@ struct Overlap {
   std::array<double, 3> push;
 };
 
-/// What bodies overlap at their starts, by the library's `contact` in one scalar.
+/// What bodies overlap at their starts, computed by the library's `contact` in one scalar.
 struct ContactReport {
   /// In the order of bodies, then of shapes.
   std::vector<Overlap> overlaps;
-  /// Of all contacts.
+  /// The digest of all contacts.
   std::uint64_t digest = 0;
   /// If they are drawn: the bodies; and each point with its depth and an arrow along the normal.
   std::vector<Outline> lines;
@@ -68,7 +68,8 @@ template <Scalar S>
 /// house.
 [[nodiscard]] std::vector<Throw> shown_throws();
 
-/// `count` of a seeded generator, all over the arena; half of them stay 1/1024 above the ground.
+/// `count` throws from a seeded generator, all over the arena; half of them stay 1/1024 above the
+/// ground.
 [[nodiscard]] std::vector<Throw> random_throws(int count);
 
 }  // namespace detent::cli

@@ -13,7 +13,7 @@ namespace detent::cli {
 struct Difference {
   std::size_t hit_or_miss = 0;  // one hits, the other does not
   std::size_t shape = 0;        // both hit, but not the same shape
-  std::size_t distance = 0;     // the same shape, farther apart than `visible_distance`
+  std::size_t distance = 0;     // the same shape, more than `visible_distance` apart
   double largest_distance = 0;  // between hits of the same shape
   std::size_t largest_ray = 0;
 

@@ -121,7 +121,7 @@ void demo(const DemoOptions& options) {
   OutputFile cast_file(cast_path);
   const std::string body_path = path_in(options, "bodies.png");
   OutputFile body_file(body_path);
-  // Read before anything is drawn, so that errors in it show at once.
+  // Read before anything is drawn, so that errors in it are reported at once.
   const std::string mesh_path = path_in(options, "mesh.png");
   std::optional<OutputFile> mesh_file;
   std::optional<Model> model;

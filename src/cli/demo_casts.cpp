@@ -47,7 +47,7 @@ Throw moved(const Throw& thrown, double distance) {
   return result;
 }
 
-/// Those that hit, `depth` farther than that.
+/// The throws that hit, moved `depth` past the hit.
 std::vector<Throw> pressed(const std::vector<Throw>& throws, const CastReport& report,
                            double depth) {
   std::vector<Throw> bodies;
@@ -62,7 +62,7 @@ std::vector<Throw> pressed(const std::vector<Throw>& throws, const CastReport& r
 /// origin.
 struct ContactErrors {
   std::size_t wrong = 0;  // a contact instead of none, or the reverse
-  std::size_t off = 0;    // pushed to a place that is off by more than 1/1024
+  std::size_t off = 0;    // pushed to a position that is off by more than 1/1024
   double largest = 0;
 };
 
@@ -210,7 +210,7 @@ CastPage cast_page(const Scene& scene, const DemoOptions& options) {
           "balls and capsules cast through the arena, compared with q16_16 near the origin\n"
           "(wrong: hit instead of miss or miss instead of hit; off: by more than 1/1024):\n",
           table,
-          "their contacts 1/16 past where q16_16 touches near the origin, compared with it\n"
+          "their contacts, 1/16 past the touch of q16_16 near the origin, compared with it\n"
           "(wrong: contact instead of none or none instead of contact; off: pushed out to a\n"
           "place that is off by more than 1/1024):\n",
           contact_table};

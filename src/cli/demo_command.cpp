@@ -18,7 +18,8 @@ void add_demo_options(CLI::App& command, DemoArguments& arguments) {
       .add_option("--mesh", arguments.options.mesh,
                   "An OBJ model to show as well, half a unit long, in mesh.png")
       ->check(check_name);
-  command.add_option("--size", arguments.size, "Of each picture, in pixels")->capture_default_str();
+  command.add_option("--size", arguments.size, "Size of each picture, in pixels")
+      ->capture_default_str();
   command
       .add_option("--threads", arguments.options.threads,
                   "Number of threads; 0 for one per processor")

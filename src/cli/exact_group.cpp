@@ -12,7 +12,7 @@ namespace {
 using Doubles = std::array<double, 3>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double trusted = 1 << 30;         // no box is culled beyond it
+constexpr double trusted = 1 << 30;         // nothing is culled beyond this distance
 constexpr double margin = 1.0 / (1 << 10);  // on each side of a box
 
 /// Three numbers of a list, starting at index 3 * `place`.

@@ -10,7 +10,7 @@
 
 namespace detent::cli {
 
-/// Shapes of which only the first hit is needed: the triangles of a mesh, or a single shape.
+/// Shapes for which only the first hit is needed: the triangles of a mesh, or a single shape.
 ///
 /// A tree of boxes in doubles, which shares no code with the library's trees, finds the shapes that
 /// a ray must be tested against exactly. The boxes are larger than the shapes by far more than the

@@ -18,7 +18,7 @@ struct DebugParts {
   [[nodiscard]] bool any() const { return shapes || tree; }
 };
 
-/// A line in the world; every scalar's number is a double.
+/// A line in the world. Doubles represent the numbers of every scalar.
 struct Outline {
   std::array<double, 3> a;
   std::array<double, 3> b;

@@ -98,7 +98,7 @@ class Canvas {
   }
 
  private:
-  static constexpr double slack = 1e-9;  // samples on a common edge have a triangle
+  static constexpr double slack = 1e-9;  // so that samples on a common edge are covered
 
   static double cross(const Corner& a, const Corner& b, double x, double y) {
     return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
@@ -204,7 +204,7 @@ Image Painter::picture(const std::vector<Facet>& facets) const {
   const auto on_screen = [&](const Double3& p, double depth) {
     return Corner{middle_x + p[1] / depth * scale, middle_y - p[2] / depth * scale, 1 / depth};
   };
-  double order = 1;  // later bodies are over earlier ones in two dimensions
+  double order = 1;  // in two dimensions, later bodies are drawn over earlier ones
   for (const Facet& facet : facets) {
     if (is_flat_) {
       order *= 1 - 1e-9;

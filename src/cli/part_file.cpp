@@ -12,7 +12,7 @@
 namespace detent::cli {
 namespace {
 
-/// A path that a signal handler can read at any time: it is written before `is_set`.
+/// A path that a signal handler can read at any time, because it is written before `is_set`.
 struct Slot {
   std::atomic<bool> is_taken{false};
   std::atomic<bool> is_set{false};

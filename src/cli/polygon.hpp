@@ -12,8 +12,8 @@ namespace detent::cli {
 /// Cuts polygons in space into triangles, n - 2 for n corners.
 ///
 /// A convex polygon becomes the fan around its first corner, except that one with four corners is
-/// cut along its shorter diagonal. Any other polygon loses one ear after the other, as seen along
-/// its normal. If there is no ear, as in a self-intersecting polygon, some corner is cut off
+/// cut along its shorter diagonal. From any other polygon, seen along its normal, ears are cut off
+/// one by one. If there is no ear, as in a self-intersecting polygon, some corner is cut off
 /// anyway.
 ///
 /// source: ear clipping, Meisters, Polygons Have Ears; only the neighbours of a cut ear are checked

@@ -172,7 +172,7 @@ class Caster {
     ShapeModel body{{}, colour, {}, MeshModel{point_of("0", "0", "0"), {}, {}}};
     Sink sink{report.lines, std::get<MeshModel>(body.form), move_};
     draw(sink, capsule, way);
-    // The tubes that its ends sweep.
+    // The capsules that its ends sweep.
     for (const auto& end : {capsule.a, capsule.b}) {
       draw(sink, Capsule<S, 3>{end, nearest_to<S>(end + by), capsule.radius}, way);
     }

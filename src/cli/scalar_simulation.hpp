@@ -42,7 +42,8 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
   ScalarSimulation(const WorldModel& model, const Move& move)
       : Base(model.file), model_(model), move_(move), world_(settings()) {
     for (std::size_t i = 0; i < 3; ++i) back_[i] = move.by[i].template to<double>().value();
-    // Bodies refer to elements of these, so they never grow beyond what is reserved.
+    // Bodies refer to elements of these lists, so the lists never grow beyond their reserved
+    // capacity.
     std::size_t hulls = 0;
     for (const BodyModel& body : model_.bodies) {
       const auto* const compound = std::get_if<CompoundModel>(&body.form);
@@ -240,7 +241,8 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
     return settings;
   }
 
-  /// Shapes of bodies are moved, those of parts are in the frame of a body that is.
+  /// Shapes of bodies are moved by the offset; those of parts are in the frame of a body, which is
+  /// moved.
   Sphere<S, N> shape(const SphereModel& model, const Move& move, Place) const {
     return {place(model.center, "center", move), this->length(model.radius, "radius")};
   }
@@ -390,7 +392,7 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
     }
   }
 
-  /// Contacts of surfaces know no more (docs/dynamics.md).
+  /// The most triangles that contacts of surfaces can index (docs/dynamics.md).
   static constexpr std::size_t most_triangles = std::size_t{1} << 20;
   [[noreturn]] void fail_reach(const BodyModel& model, const std::string& what) const {
     this->fail(model.place, "the " + what + " reaches farther than 512 units from its position; " +
@@ -485,7 +487,7 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
     }
   }
 
-  /// Sets the fields of a kind of joint; the reader has rejected others.
+  /// Sets the fields that this kind of joint has; the reader has rejected others.
   template <class Joint>
   void add(const JointModel& model) {
     Joint joint;

@@ -38,7 +38,7 @@ struct ShapeList {
   template <class... More>
   using and_also = ShapeList<Shape..., More...>;
 
-  /// The place of a shape in the list; `size` if it is not in it.
+  /// The index of a shape in the list; `size` if it is not in the list.
   template <class Wanted>
   static constexpr std::size_t index = [] {
     std::size_t i = 0;
@@ -145,11 +145,11 @@ inline constexpr bool has_only_points_and_lengths<Shape> =
 template <Scalar S, int N>
 inline constexpr bool has_only_points_and_lengths<Aabb<S, N>> = false;  // it is empty if min > max
 
-/// A sphere, triangle, capsule, segment: any points and lengths will do.
+/// A sphere, triangle, capsule or segment: any points and lengths make a valid one.
 template <class Shape>
 concept OfPoints = has_only_points_and_lengths<Shape>;
 
-/// The shape of which `point()` is each point and `length()` each length, in their order.
+/// The shape made of `point()` for each point and `length()` for each length, in order.
 template <OfPoints Shape, class Point, class Length>
 constexpr Shape made_of(Point&& point, Length&& length) {
   return mapped(Shape(), [&]<class Field>(const Field&) -> Field {
@@ -173,7 +173,7 @@ constexpr Shape with_points(const Shape& shape, F&& f) {
   });
 }
 
-/// The number of points that a shape is given by.
+/// The number of points that define a shape.
 template <OfPoints Shape>
 inline constexpr std::size_t point_count = with_fields(
     Shape(), []<class... Field>(const Field&...) { return (std::size_t{is_point<Field>} + ...); });

@@ -20,7 +20,7 @@ struct RowResult {
   std::string_view name;
   std::uint64_t digest;
   bool is_golden;
-  std::string_view scalar;  // the first of its cells that differs
+  std::string_view scalar;  // of the first cell that differs
   int dimension;
 };
 

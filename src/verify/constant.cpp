@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Compile-time evaluation is a platform as well: the compiler evaluates the first questions of
-// every cell of the volume Basics while it compiles this file, and fails when a result is not
+// Compile-time evaluation is a platform as well: while it compiles this file, the compiler
+// evaluates the first questions of every cell of the volume Basics, and it fails if a result is not
 // golden. This checks machines whose programs cannot be run:
 //
 //     c++ -std=c++20 -Iinclude -Isrc -fsyntax-only src/verify/constant.cpp

@@ -49,8 +49,8 @@ using SegmentKind = Kind<Segment>;
 using RayKind = Kind<Ray>;
 using HullKind = Kind<HullPoints>;
 
-/// The parts of the corpus, for compilers or chips that cannot take all of it at once. Those that
-/// are `large` do not fit the smallest chips, with 256 KB of flash and 16 KB of memory.
+/// The parts of the corpus, for compilers or chips that cannot take all of it at once. `large`
+/// parts do not fit the smallest chips, with 256 KB of flash and 16 KB of memory.
 struct SolidRays {
   static constexpr std::string_view name = "SolidRays";
   using Groups = List<Spheres, Aabbs, Obbs>;
@@ -455,7 +455,7 @@ template <class Part>
   return before;
 }
 
-/// A group runs one in this many of the questions.
+/// A group runs one question in this many.
 template <class Group>
 inline constexpr std::uint32_t share_of = [] {
   if constexpr (requires { Group::share; }) {
@@ -493,7 +493,7 @@ template <class Group, Scalar S, int N>
   return hash;
 }
 
-/// All cells: the default.
+/// All cells, the default.
 struct Whole {
   template <class Group, Scalar S, int N>
   static constexpr bool has = true;

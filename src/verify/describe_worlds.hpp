@@ -191,7 +191,7 @@ inline std::string words(const Replayed& replayed) {
          ", loaded " + digits(replayed.loaded) + ", again " + digits(replayed.again);
 }
 
-/// Where a body is and what it is, in the words of the scenes of tests/dynamics/twin.
+/// The position, shape and properties of a body, in the notation of tests/dynamics/twin.
 template <Scalar S, int N>
 std::string words(const DrawnBody<S, N>& body) {
   constexpr std::array names{"ball", "capsule", "box", "aligned", "hull", "compound"};

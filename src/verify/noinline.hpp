@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Compiled once though called several times; and keeps only one callee's variables on a small
-// stack.
+// Prevents inlining: the function is compiled once, and a small stack holds the variables of only
+// one callee.
 #if defined(__GNUC__)
 #define DETENT_VERIFY_NOINLINE [[gnu::noinline]]
 #else

@@ -7,7 +7,7 @@
 
 namespace detent::verify {
 
-/// The operations on the sheets of a part, counted from 0. Each part has a source of its own, which
+/// The operations on the sheets of a part, counted from 0. Each part has its own source, which
 /// CMake writes from part.cpp.in.
 template <class Part>
 struct PartSheets {

@@ -22,7 +22,7 @@ struct IntoBytes {
   std::string bytes;
 
 #if defined(__GNUC__)
-  [[gnu::noinline]]  // it is called for every number of every result: inlining it compiles slowly
+  [[gnu::noinline]]  // called for every number of every result: inlining it compiles slowly
 #endif
   void
   operator()(std::uint64_t word, int count) {
@@ -68,7 +68,7 @@ void judge_row(const Case& c, std::uint32_t index, std::optional<Finding>& findi
   }
 }
 
-/// The cells of a group in one space. Groups that take long to compile have a source for each:
+/// The cells of a group in one space. Groups that take long to compile have one source per space:
 /// one_space.cpp.in.
 template <class Group, Scalar S, int N>
 struct GroupSheet {

@@ -26,7 +26,7 @@ def opened():
 
 
 def made(context):
-    """Of each type a handle, by the name of the function that creates it without what follows."""
+    """A handle of each type, keyed by the name of its `create` function without `_create`."""
     handles, out = {}, ctypes.c_uint32()
 
     def make(name, *arguments):

@@ -16,7 +16,7 @@ fault() {
   bad=1
 }
 
-# bullets PART: the files in the bullets before (1) or after (2) the paragraph that parts them.
+# bullets PART: the files in the bullets before (1) or after (2) the paragraph that separates them.
 bullets() {
   awk -v wanted="$1" '
     /^### /            { inside = $0 == "### A shape"; part = 1 }

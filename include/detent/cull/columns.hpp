@@ -37,7 +37,7 @@ template <Scalar S, int N>
 struct LaneBox {
   Vec<quantized<S>, N> center, extent;
 
-  /// The box that meets nothing, and the box of a shape that may be anywhere.
+  /// A box that meets nothing, and a box for a shape that may be anywhere.
   [[nodiscard]] static constexpr LaneBox nowhere() noexcept {
     return {{}, make_vec<N>([](int) { return narrow_negative(quantized_limit<S>); })};
   }

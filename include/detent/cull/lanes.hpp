@@ -9,9 +9,9 @@
 
 #include "detent/number/require_cxx20.hpp"
 
-// Eight numbers side by side. If the machine has vector instructions, lanes are a vector type of
+// Eight numbers, one per lane. If the machine has vector instructions, they are a vector type of
 // the compiler (an extension of GCC and Clang). Otherwise, and in constant expressions, they are an
-// array with the same operations and results.                           (tests/cull/lanes.test.cpp)
+// array with the same operations and results. (tests/cull/lanes.test.cpp)
 //
 // Only this header and long_lanes.hpp depend on the machine's vectors.
 
@@ -71,8 +71,8 @@ class ArrayLanes {
     return bits;
   }
   constexpr void store(std::array<T, lane_count>& to) const noexcept { to = numbers_; }
-  /// Writes the lanes whose bits are set in `mask`, in order, and returns how many there are. `to` has
-  /// room for all lanes; what follows those written is unspecified.
+  /// Writes the lanes whose bits are set in `mask`, in order, and returns how many there are. `to`
+  /// has room for all lanes; the elements after those written are unspecified.
   constexpr std::size_t pack(std::uint32_t mask, T* to) const noexcept {
     std::size_t count = 0;
     for (; mask != 0; mask &= mask - 1) {
@@ -123,7 +123,7 @@ struct VectorOf {
 };
 
 #if defined(__AVX2__)
-/// For each mask the places of its bits, lowest first, one per byte.
+/// For each mask, the positions of its bits, lowest first, one per byte.
 inline constexpr auto places_of_bits = [] {
   std::array<std::uint64_t, 256> table{};
   for (std::size_t mask = 0; mask < table.size(); ++mask) {
@@ -177,9 +177,9 @@ class VectorLanes {
     }
   }
 
-  /// For the three points with which a record of at least 40 bytes begins, each three 32-bit
-  /// integers: their least coordinates in lanes 0 to 2, and the complements of their greatest ones in
-  /// lanes 4 to 6.
+  /// The box around the first three points of a record of at least 40 bytes; a point is three
+  /// 32-bit integers. Lanes 0 to 2 are the least coordinates, lanes 4 to 6 the complements of the
+  /// greatest.
   [[nodiscard]] static VectorLanes around_three(const void* record) noexcept {
     using Quarters = typename VectorOf<T, 16>::type;
     const auto row = [&](std::size_t i) {
@@ -205,7 +205,8 @@ class VectorLanes {
     }
     return result;
   }
-  /// For lanes of `around_three`: the same of the middle of that box, within one step.
+  /// The middle of a box of `around_three`, within one step, in the same form: the coordinates and
+  /// their complements.
   [[nodiscard]] VectorLanes middle() const noexcept {
     VectorLanes result(0);
     if constexpr (part_count == 1) {
@@ -328,8 +329,8 @@ class VectorLanes {
  private:
   using Numbers = typename VectorOf<int, Bytes>::type;
 #if defined(__AVX512VL__)
-  // Here comparisons write masks, which compilers turn into vectors and back; GCC also makes maxima
-  // and minima of comparisons.
+  // Here comparisons write mask registers, which compilers convert to vectors and back; GCC also
+  // compiles maxima and minima to comparisons.
   static constexpr bool has_masks = std::is_same_v<T, std::int32_t> && Bytes == 32;
   static constexpr int equal = 0, less_or_equal = 2;  // as the instruction encodes them
   template <int Relation>
@@ -363,8 +364,9 @@ class VectorLanes {
   static constexpr bool unpacks_bytes =
       std::is_same_v<T, std::int32_t> && Bytes == 16 && std::endian::native == std::endian::little;
 
-  /// first + step * bytes[k] in lane k. Compilers would extract the bytes one by one, and SSE2 has
-  /// no 32-bit products modulo 2^32: their upper halves are those of b low plus b high.
+  /// first + step * bytes[k] in lane k. Written out by hand, because compilers would extract the
+  /// bytes one by one, and SSE2 has no 32-bit product: its upper half is that of b low, plus b
+  /// high.
   void multiply(T first, T step, const std::array<std::uint8_t, lane_count>& bytes) noexcept {
     if constexpr (unpacks_bytes) {
       using Shorts = typename VectorOf<std::uint16_t, Bytes>::type;
@@ -422,7 +424,7 @@ class VectorLanes {
 #endif
   }
 
-  /// A bit for each lane, if lanes have all bits or none.
+  /// A bit for each lane, for lanes with all bits set or none.
   [[nodiscard]] static std::uint32_t bits_of(const PartMarks& marks) noexcept {
 #if defined(__AVX2__)
     if constexpr (sizeof(T) == 4) {
@@ -464,7 +466,7 @@ using Lanes = ArrayLanes<T>;
 /// Whether lanes are vectors.
 inline constexpr bool has_lanes = !std::is_same_v<Lanes<std::int32_t>, ArrayLanes<std::int32_t>>;
 
-/// Lanes that are only compared; every machine with vectors has instructions for that.
+/// Lanes that are only compared, for which every machine with vectors has instructions.
 #if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__))
 template <class T>
 using ComparedLanes = VectorLanes<T>;

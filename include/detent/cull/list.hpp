@@ -41,7 +41,7 @@ class FixedList {
   std::size_t size_ = 0;
 };
 
-/// A list without room: its elements are never accessed.
+/// A list of capacity 0: its elements are never accessed.
 template <class T>
 class FixedList<T, 0> {
  public:

@@ -11,15 +11,16 @@
 #include "detent/cull/simd128_long_lanes.hpp"
 #include "detent/number/require_cxx20.hpp"
 
-// Four integers of 64 bits side by side, and the product of 32 by 32 bits: one vector with AVX2, two
-// with WebAssembly's simd128, an array with the same operations elsewhere.
+// Four integers of 64 bits, one per lane, with a product of 32 by 32 bits: one vector with AVX2,
+// two with WebAssembly's simd128, elsewhere an array with the same operations.
 //                                                           (tests/cull/long_lanes.test.cpp)
 //
-// On x86-64 the vectors exist without -mavx2, too: functions between DETENT_BEGIN_LONG_LANES and
+// On x86-64 the vectors exist even without -mavx2: functions between DETENT_BEGIN_LONG_LANES and
 // DETENT_END_LONG_LANES are compiled for AVX2, and callers must test `runs_vectors()` first. Other
 // functions must not take or return lanes by value. (Not on Windows, where GCC does not align
 // vectors on the stack.)
-// GCC has __builtin_shufflevector from version 12 on.
+//
+// GCC has __builtin_shufflevector since version 12.
 #if defined(__AVX2__) && (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12))
 #define DETENT_LONG_LANES 2
 #elif defined(__wasm_simd128__) && defined(__clang__)
@@ -183,7 +184,8 @@ class VectorLongLanes {
   typedef std::int64_t Signed __attribute__((vector_size(32)));
   typedef std::int32_t Halves __attribute__((vector_size(32)));
   typedef std::int32_t Short __attribute__((vector_size(16)));
-  // In memory of any type. GCC copies bytes by halves of a vector, which delays the load of all.
+  // In memory of any type. GCC copies bytes in halves of a vector, and loading the whole vector
+  // then stalls.
   typedef std::uint64_t AnyWords __attribute__((vector_size(32), aligned(1), may_alias));
 
  public:
@@ -313,9 +315,9 @@ class VectorLongLanes {
 DETENT_END_LONG_LANES
 #endif
 
-/// Whether to use vectors without a test of the machine, and the lanes that do.
+/// Whether vectors can be used without a run-time test, and the lanes to use then.
 inline constexpr bool has_long_lanes = DETENT_LONG_LANES == 2;
-/// Whether `runs_vectors()` may be true, and the lanes that are used then.
+/// Whether `runs_vectors()` may be true, and the lanes to use if it is.
 inline constexpr bool may_run_vectors = DETENT_LONG_LANES != 0;
 #if DETENT_LONG_LANES
 using LongLanes = std::conditional_t<has_long_lanes, VectorLongLanes, ArrayLongLanes>;

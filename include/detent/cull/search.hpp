@@ -23,7 +23,7 @@ struct TreePart {
   std::uint32_t at;
   bool is_object;
 
-  /// The most parts that wait during a walk: seven per level.
+  /// The most parts pending in a walk: seven per level.
   static constexpr std::size_t room = 7 * tree_depth;
 
   [[nodiscard]] constexpr bool is_leaf() const noexcept { return is_object; }
@@ -62,7 +62,7 @@ class RayProbe {
   Limit limit_{};
 };
 
-/// Which boxes a probe may reach, and lower bounds on the times, one box at a time.
+/// Tests one box at a time: whether the probe may reach it, and a lower bound on the time.
 template <Scalar S, int N>
 class RayKeys {
  public:
@@ -105,7 +105,7 @@ class RayKeys {
   std::array<RaySlab<S>, static_cast<std::size_t>(N)> slabs_;
 };
 
-/// The same, for the eight boxes of a node at a time.
+/// Tests the eight boxes of a node at once.
 template <Scalar S, int N, class Lanes>
 class RayLanes {
  public:
@@ -138,7 +138,7 @@ class RayLanes {
 
  private:
   using Slab = LaneSlab<S, Lanes>;
-  /// No distance is longer, in steps.
+  /// The longest distance, in steps.
   static constexpr std::int64_t longest = std::int64_t{1} << (bits_of<S> - Grid<S>::shift);
 
   /// In ticks, rounded up.
@@ -152,7 +152,7 @@ class RayLanes {
   std::array<Slab, static_cast<std::size_t>(N)> slabs_;
 };
 
-/// Which boxes may lie within a distance of a point, and their squared distances.
+/// Tests which boxes may lie within a distance of a point, and computes their squared distances.
 template <Scalar S, int N>
 class PointProbe {
  public:
@@ -199,7 +199,7 @@ class PointProbe {
   bool is_limited_ = false;
 };
 
-/// A tree as traversed by a probe. `Keys` are those of a probe, or a probe with its own keys.
+/// A tree as traversed by a probe. `Keys` tests boxes for it: the classes above.
 template <class Tree, class Keys, class Visit>
 struct TreeSearch {
   using Key = typename Keys::Key;
@@ -253,12 +253,13 @@ constexpr Walk visit_nearest(const Tree& tree, const RayProbe<S, N>& probe, cons
   return visit_nearest_by(tree, RayKeys<S, N>(probe), visit);
 }
 
-/// The most objects that `visit_meeting` lets wait.
+/// The most objects that `visit_meeting` collects before it visits them.
 inline constexpr std::size_t most_waiting = 24;
 
 /// Visits the objects whose boxes overlap `box`: calls visit(objects) with a list of them whenever
-/// more than `most` <= most_waiting of them wait, and at the end. Testing many at once is faster: how
-/// many children of a node overlap is unpredictable, and their records are fetched meanwhile.
+/// more than `most` <= most_waiting are collected, and at the end. Visiting many together is
+/// faster: collecting needs no branches on how many children overlap, which is unpredictable, and
+/// gives the prefetch of their records time.
 template <class Tree, class Visit>
 constexpr Walk visit_meeting(const Tree& tree, const typename Tree::Box& box, std::size_t most,
                              const Visit& visit) {

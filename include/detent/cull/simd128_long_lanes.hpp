@@ -13,12 +13,12 @@
 
 namespace detent::detail {
 
-/// Two vectors of two words, and the lower halves of all words in a third: products take these.
-/// Numbers of 32 bits have them from the start. An optimizer drops the part that is not used.
+/// Two vectors of two words, and the lower halves of all words in a third, for products. Numbers of
+/// 32 bits have the third from the start. Optimizers drop the part that is not used.
 ///
-/// Products and extensions are written in assembly: clang 14 finds the instruction only if it sees
-/// both extensions in the same block, and otherwise multiplies 64 bits, which takes three times as
-/// long.
+/// Products and extensions are written in assembly: clang 14 selects the instruction only if it
+/// sees both extensions in the same block, and otherwise multiplies 64 bits, which takes three
+/// times as long.
 class Simd128LongLanes {
   typedef std::uint64_t Words __attribute__((vector_size(16)));
   typedef std::int64_t Signed __attribute__((vector_size(16)));

@@ -19,7 +19,7 @@ namespace detent {
 
 /// The unit of ray distance during traversal.
 ///
-/// No distance past `longest` matters: the ray has left all planes, or has ended.
+/// Distances beyond `longest` are irrelevant: there the ray has left all planes, or has ended.
 template <Scalar S>
 class Ticks;
 
@@ -72,14 +72,15 @@ class Ticks<Fixed<Bits, Frac>> {
 
   [[nodiscard]] constexpr const S& longest() const noexcept { return longest_; }
   [[nodiscard]] constexpr int exponent() const noexcept { return exponent_; }
-  /// One step, plus as many as take three ticks or more.
+  /// The margin of `RaySlab` in steps: one, plus as many as take three ticks or more.
   [[nodiscard]] constexpr std::int64_t margin() const noexcept { return margin_; }
   [[nodiscard]] constexpr Time time(const S& distance) const noexcept {
     const std::int64_t raw = (std::min)(distance, longest_).raw();
     return static_cast<Time>((raw * (std::int64_t{1} << finest)) >> (exponent_ + finest));
   }
 
-  /// A time clamped here is still beyond `longest`, or behind the origin, with 2^29 added.
+  /// Clamps a time. A clamped time is beyond `longest` or behind the origin, by at least 2^29
+  /// ticks.
   [[nodiscard]] static constexpr Time clamp(std::int64_t time) noexcept {
     constexpr std::int64_t most = std::int64_t{1} << 30;
     return static_cast<Time>(std::clamp(time, -most, most));
@@ -98,7 +99,8 @@ class Ticks<Fixed<Bits, Frac>> {
 /// early, and leaves it one step and three ticks late: `margin`.
 ///
 /// A direction of 0 counts as the least nonzero one. A ray along a side of a box is then in the box
-/// from before its start to beyond its end: the margin of four steps takes longer than any ray.
+/// from before its start to beyond its end, because crossing the margin of four steps takes longer
+/// than any ray lasts.
 ///
 /// Coordinates are in steps of a grid; planes are less than 2^33 from the origin or from the sides of
 /// a moving box, so products fit 64 bits.

@@ -62,7 +62,8 @@ class Tree {
     root_ = entries[0].child;
   }
 
-  /// Between these two calls moving many objects is cheaper, but queries are not allowed.
+  /// Between `begin_bulk` and `end_bulk`, moving many objects is cheaper, but queries are not
+  /// allowed.
   constexpr void begin_bulk() noexcept { is_in_bulk_ = true; }
   constexpr void end_bulk() noexcept {
     is_in_bulk_ = false;
@@ -139,7 +140,7 @@ class Tree {
       const auto others = leaf.bounds();
       leaf.child[place] = object;
       leaf.set(place, old);
-      // The object left its neighbours: insert it near others.
+      // The object moved away from its neighbours: insert it near others.
       if (half_area(hull_of(others, box)) > 2 * (half_area(others) + half_area(box))) {
         erase(home, place);
         insert(object, box, 0);
@@ -313,8 +314,9 @@ class Tree {
     free_ = i;
   }
 
-  // Leaves hold three objects or more, so they are at most a third as many, and so on upward. The
-  // root may have fewer, and so may, on every level, a node that a removal is about to free.
+  // Leaves hold three objects or more, so there are at most a third as many leaves as objects, and
+  // so on upward. The root may have fewer, and so may one node per level that a removal is about to
+  // free.
   typename Storage::template List<Node, Storage::capacity / 2 + 2> nodes_;
   // For each object: leaf * width + its index in the leaf.
   typename Storage::template List<std::uint32_t, Storage::capacity> homes_;

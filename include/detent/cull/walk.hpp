@@ -61,8 +61,8 @@ class NearestStack {
   std::size_t used_ = 0;
 };
 
-/// Walks a tree of parts from `root` to its leaves. Of the children of a node the nearest is next;
-/// the others wait. A tree has
+/// Walks a tree of parts from `root` to its leaves. The nearest child of a node is next; the others
+/// wait. A tree has
 ///   Key, Part              how near a part is; a node or a leaf, which has is_leaf()
 ///   most_children, room    the most children of a node, and the most parts that wait
 ///   node(part)             the node of a part that is no leaf

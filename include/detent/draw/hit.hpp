@@ -14,7 +14,7 @@ namespace detent {
 
 namespace detail {
 
-/// A sink that draws on another one, translated by a vector: each point is rounded once more.
+/// A sink that draws to another one, translated by a vector: each point is rounded once more.
 template <class Sink, Scalar S, int N>
 class MovedSink {
  public:

@@ -25,7 +25,7 @@ class HullEdges {
     return hull_.points[i];
   }
 
-  /// Of equal points only the first spans edges.
+  /// Whether point i is the first of its equals; only that one spans edges.
   [[nodiscard]] constexpr bool is_first(std::size_t i) const noexcept {
     std::size_t first = 0;
     while (hull_.points[first] != hull_.points[i]) ++first;
@@ -91,7 +91,8 @@ class HullEdges {
       }
       return !(has_left && has_right);
     } else {
-      // Behind the facet on the left, and in its plane not across the line.
+      // All points must be behind the facet on the left; those in its plane must not be across the
+      // line.
       const auto left = leftmost(i, j);
       if (!left) return true;
       const auto normal = cross(from(i, j), from(i, *left));

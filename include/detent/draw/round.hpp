@@ -81,7 +81,7 @@ constexpr void draw(Sink& sink, const Capsule<S, N>& capsule, const Colour& colo
   constexpr int half = detail::circle_sides / 2, whole = detail::circle_sides;
   const auto u = detail::perpendicular(*axis);
   const auto side = [&](const auto& across) {
-    // From u over the end of the axis to -u at b, and back around a.
+    // From u around the end at b to -u, and back around a.
     detail::draw_arc(sink, capsule.b, capsule.radius, across, *axis, 0, half, colour);
     detail::draw_arc(sink, capsule.a, capsule.radius, across, *axis, half, whole, colour);
     for (const int i : {0, half}) {

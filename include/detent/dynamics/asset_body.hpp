@@ -14,7 +14,7 @@ namespace detent {
 
 namespace detail {
 
-/// What differences call the asset of a body, and the digest of it.
+/// The names of an asset and of its digest in differences.
 struct AssetNames {
   std::string_view id, digest;
 };
@@ -24,7 +24,8 @@ inline constexpr AssetNames asset_names{};
 template <class Body>
 concept AssetBody = HasAsset<Body> && !asset_names<Body>.id.empty();
 
-/// Reads the asset of a body: bodies hold it in their frame, untranslated and unrotated.
+/// Reads a body's reference to an asset. Bodies hold the asset in their own frame, so translation
+/// and rotation are those of the identity.
 template <AssetBody Body, class Assets>
 [[nodiscard]] constexpr Restored read_asset(Reader& in, Body& body, const Assets& assets) noexcept {
   std::uint32_t id = 0;
@@ -45,7 +46,7 @@ constexpr void append(D& digest, const Body& body) noexcept {
   if constexpr (requires { body.rotation; }) digest.add(body.rotation);
 }
 
-/// Its fields, for the names of differences: see scene/fields.hpp.
+/// The fields, named for differences: see scene/fields.hpp.
 template <detail::AssetBody Body, class F>
 constexpr void for_each_field(const Body& body, const F& f) {
   const detail::AssetKey key(body.asset);

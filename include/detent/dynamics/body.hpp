@@ -17,7 +17,7 @@ struct BodyState {
   static constexpr int orientation_size = N == 2 ? 2 : 4;
 
   Vec<typename F::Place, N> place{};                       // of the center of mass
-  Vec<typename F::Ratio, orientation_size> orientation{};  // cosine, sine; or quaternion x y z w
+  Vec<typename F::Ratio, orientation_size> orientation{};  // cosine, sine; quaternion x y z w
   Vec<typename F::Speed, N> velocity{};                    // per substep
   Axial<typename F::Spin, N> spin{};                       // per substep, about the world's axes
 
@@ -31,10 +31,9 @@ using Axes = std::array<Vec<typename Formats<S>::Ratio, N>, std::size_t{N}>;
 
 /// n / d, rounded to nearest, for |n| <= 1 and a d near 1, both in steps of 2^-60.
 ///
-/// With d = 1 + e and |e| < 2^-28 the quotient is n - n e + n e^2 - ..., where the third term is
-/// less than 2^-56, and n e exceeds the product of e and n rounded down to 2^-30 by less than
-/// 2^-58. So all terms after the first two are less than 2^-55. It only divides if they may change
-/// the rounding.
+/// With d = 1 + e and |e| < 2^-28 the quotient is n - n e + n e^2 - ... The third term is less than
+/// 2^-56, and rounding n down to 2^-30 changes n e by less than 2^-58. The error of the first two
+/// terms is therefore below 2^-55; a division is needed only if that may change the rounding.
 template <class Ratio, class T>
 [[nodiscard]] constexpr Ratio quotient_of_near_one(const T& n, const T& d) noexcept {
   if constexpr (is_fixed<Ratio>) {
@@ -53,8 +52,8 @@ template <class Ratio, class T>
   return quotient_nearest<Ratio>(n, d);
 }
 
-/// The axes of an orientation: of a quaternion, the quotients of its quadratic forms and its
-/// squared length.
+/// The axes of an orientation. Those of a quaternion are its quadratic forms divided by its squared
+/// length.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Axes<S, N> axes_of(
     const Vec<typename Formats<S>::Ratio, BodyState<S, N>::orientation_size>& q) noexcept {
@@ -77,7 +76,7 @@ template <Scalar S, int N>
 /// The orientation after a turn by `angle` (in radians; in 3D a rotation vector in the world) times
 /// 2^-halvings: q + angle q, of unit length again, each component rounded to nearest once.
 ///
-/// Its length before normalising is at least 1, so it has a direction. (1 + 7) 2^59 fits 62 bits.
+/// The length before normalising is at least 1, so there is a direction. (1 + 7) 2^59 fits 62 bits.
 template <Scalar S, int N, int Halvings = 0>
 [[nodiscard]] constexpr auto turned(
     const Vec<typename Formats<S>::Ratio, BodyState<S, N>::orientation_size>& q,

@@ -14,8 +14,8 @@
 
 namespace detent {
 
-/// The material of a part of a compound, as in `BodyOptions`. Compounds ignore the fields of these
-/// names there.
+/// The material of a part of a compound, as in `BodyOptions`. A compound ignores the fields with
+/// these names in its `BodyOptions`.
 template <Scalar S>
 struct PartOptions {
   S density = S(1);  // mass per area or volume; 0: the part adds no mass
@@ -35,7 +35,7 @@ class BodyPart {
  public:
   using Shape = detail::OneOf<Sphere<S, N>, Capsule<S, N>, Aabb<S, N>, Obb<S, N>, BodyHull<S, N>>;
 
-  /// A part with its shape in the compound's frame.
+  /// A part with this shape, given in the compound's frame.
   template <detail::Among<Sphere<S, N>, Capsule<S, N>, Aabb<S, N>, Obb<S, N>, BodyHull<S, N>> Part>
   explicit constexpr BodyPart(const Part& shape, const PartOptions<S>& options = {}) noexcept
       : options_(options) {
@@ -67,7 +67,7 @@ class BodyPart {
       return mass_properties(shape, S(1)).center;
     }
   }
-  /// Along the compound's axes: each entry of the gyration rounded to nearest once.
+  /// The mass with its gyration along the compound's axes: each entry rounded to nearest once.
   [[nodiscard]] constexpr MassProperties<S, N> turned(MassProperties<S, N> mass) const noexcept {
     if constexpr (N == 3) {
       using Gyration = typename detail::MassFormats<S>::Gyration;
@@ -277,7 +277,8 @@ template <Scalar S, int N>
   return {part.axes(), compound.offset(part)};
 }
 
-/// A manifold in the frame of a part, in the frame of its body: each number rounded once more.
+/// Transforms a manifold from the frame of a part to that of its body: each number rounded once
+/// more.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> in_body(const RelativePose<S, N>& part,
                                                Manifold<S, N> manifold) noexcept {

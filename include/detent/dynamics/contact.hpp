@@ -23,7 +23,7 @@ struct BodyContact {
   std::uint32_t part = 0;      // the triangle of terrain, or b's part if both are compounds; or 0
   std::uint8_t count = 0;
   bool touches = false;      // some point overlapped or was pushed in the last tick
-  std::uint16_t member = 0;  // the part of the compound, of a if both are; 0 without one
+  std::uint16_t member = 0;  // the part of the compound (of a, if both are compounds), or 0
   std::array<std::uint32_t, capacity> feature{};
   std::array<Impulse, capacity> pressure{};
   Axial<Impulse, N> friction{};  // along the tangents; in 3D the last is the twist
@@ -32,10 +32,10 @@ struct BodyContact {
                                                  const BodyContact&) noexcept = default;
 };
 
-/// The same in worlds with balls or capsules.
+/// The state of a contact in worlds with balls or capsules.
 template <Scalar S, int N>
 struct RollingContact : BodyContact<S, N> {
-  Axial<typename Formats<S>::Impulse, N> rolling{};  // about the world's axes; 0 if none resists it
+  Axial<typename Formats<S>::Impulse, N> rolling{};  // about the world's axes
 
   [[nodiscard]] friend constexpr bool operator==(const RollingContact&,
                                                  const RollingContact&) noexcept = default;
@@ -57,7 +57,8 @@ template <Scalar S>
 /// pull = rigid w h / (20 + w h), rounded to 2^-30.
 template <Scalar S>
 inline constexpr Softness<S> contact_softness = softness<S>(1011764717, 38230596);
-/// The same with w h = pi / 2, for contacts with a body that cannot be pushed.
+/// The spring of `contact_softness` with w h = pi / 2, for contacts with a body that cannot be
+/// pushed.
 template <Scalar S>
 inline constexpr Softness<S> wall_softness = softness<S>(1042960878, 75948940);
 
@@ -94,11 +95,11 @@ struct ReadyContact {
   Row<S, N> twist{};
   std::array<typename F::Speed, capacity> gap{};      // at the start of the tick
   std::array<typename F::Speed, capacity> gap_now{};  // after the last move
-  std::array<typename F::Ratio, capacity> reach{};    // of a point, as a share of the farthest
+  std::array<typename F::Ratio, capacity> reach{};    // distance from the middle over the greatest
   std::array<typename F::Speed, capacity> closing{};  // rate at the start of the tick
   std::array<bool, capacity> was_pushed{};
   typename F::Ratio grip{}, bounce{};
-  const Rolling<S, N>* rolling = nullptr;  // of one that resists rolling
+  const Rolling<S, N>* rolling = nullptr;  // if it resists rolling
 };
 
 /// The impulses of a and b along `n`: shares of the whole, rounded once.
@@ -159,7 +160,7 @@ template <Scalar S, int N, class Gyration = typename Formats<S>::Gyration>
 
 /// The contact of two bodies, from their manifold in the frame of a.
 ///
-/// `offset` is the place of b from a, as in the relative pose.
+/// `offset` is the position of b relative to a, as in the relative pose.
 template <Scalar S, int N>
 constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold,
                        const Support<S, N>& a, const Support<S, N>& b,

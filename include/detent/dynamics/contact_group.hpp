@@ -6,8 +6,8 @@
 
 namespace detent::detail {
 
-/// Up to four contacts of one colour side by side. Where a contact has fewer points, and where there
-/// are fewer contacts, rows are 0.
+/// Up to four contacts of one colour, one per lane. Rows of missing points and missing contacts are
+/// 0.
 template <Scalar S>
 struct ContactGroup {
   using F = Formats<S>;
@@ -24,9 +24,9 @@ struct ContactGroup {
     Quad<typename F::Ratio> mass{};
   };
 
-  std::uint32_t first = 0;           // of the list of ready contacts
-  std::uint8_t size = 0, count = 0;  // contacts, and the most points that one has
-  bool has_rows = false;             // so do the ready contacts, with the same numbers
+  std::uint32_t first = 0;           // index of the first in the list of ready contacts
+  std::uint8_t size = 0, count = 0;  // number of contacts, and the most points of any
+  bool has_rows = false;             // whether the ready contacts have the rows too
   Quad<std::uint32_t> a{}, b{};
   Quad<bool> pushes_a{}, pushes_b{};
   Push normal{};
@@ -38,12 +38,12 @@ struct ContactGroup {
   std::array<Quad<typename F::Ratio>, capacity> reach{};
   Quad<typename F::Ratio> rigid{}, pull{}, loss{}, grip{};
 
-  // The impulses so far, and the bits of all pressures that there were after a pass.
+  // The impulses so far, and the union of the bits of all pressures after passes.
   std::array<Quad<typename F::Impulse>, capacity> pressures{}, pressed{};
   std::array<Quad<typename F::Impulse>, 3> frictions{};
 };
 
-/// Puts contacts side by side: `ready` and `contacts` have those of the group from its first.
+/// Loads the impulses and gaps of a group's contacts. `ready` starts at the first of them.
 template <Scalar S, class Contact>
 constexpr void gather_impulses(ContactGroup<S>& group, const ReadyContact<S, 3>* ready,
                                const Contact* contacts) noexcept {
@@ -68,8 +68,8 @@ constexpr void place_surface(ContactGroup<S>& group, const ReadyContact<S, 3>& c
   group.grip[k] = contact.grip;
 }
 
-/// Calls exchange(x, y) for every number x of the rows of contact k of a group and its twin y in the
-/// ready contact.
+/// Calls exchange(x, y) for every number x of the rows of contact k of a group and its counterpart
+/// y in the ready contact.
 template <class Group, class Ready, class Exchange>
 constexpr void exchange_rows(Group& group, Ready& contact, std::size_t k,
                              const Exchange& exchange) noexcept {
@@ -130,7 +130,7 @@ constexpr void gather(ContactGroup<S>& group, const ReadyContact<S, 3>* ready,
   gather_impulses(group, ready, contacts);
 }
 
-/// Writes the rows of a group to its ready contacts, if they have none.
+/// Copies the rows of a group to its ready contacts, unless they have them.
 template <Scalar S>
 constexpr void spread_rows(ContactGroup<S>& group, ReadyContact<S, 3>* ready) noexcept {
   if (group.has_rows) return;
@@ -157,8 +157,8 @@ constexpr void scatter(const ContactGroup<S>& group, ReadyContact<S, 3>* ready,
 
 DETENT_BEGIN_LONG_LANES
 
-/// The passes of solve.hpp over the contacts of a group at once, with the same bits. Each function
-/// returns false, and has changed nothing, if some number left its range and must be clamped.
+/// The passes of solve.hpp for all contacts of a group at once, with the same bits. Each function
+/// returns false, and changes nothing, if some number left its range and must be clamped.
 template <class L, Scalar S>
 class GroupSolver {
   using F = Formats<S>;
@@ -237,7 +237,7 @@ class GroupSolver {
     }
     return sum;
   }
-  /// `rate_along` without its start.
+  /// `rate_along` for four contacts.
   [[nodiscard]] Side<Speed> rate(const Push& push, const Lever& lever, const Motions& a,
                                  const Motions& b) noexcept {
     Side<Fixed<62, Ratio::frac + Speed::frac>> along;
@@ -284,7 +284,7 @@ class GroupSolver {
     return larger(sum, Side<Impulse>());
   }
 
-  /// `solve_friction`.
+  /// `solve_friction` for four contacts.
   void rub(const std::array<Side<Impulse>, Group::capacity>& pressures,
            std::array<Side<Impulse>, 3>& frictions) noexcept {
     const Side<Ratio> grip(group_.grip);
@@ -318,7 +318,8 @@ class GroupSolver {
       apply(group_.tangent[t], group_.friction[t], change(t));
     }
   }
-  /// `clamp_to_disc`. The sum of squares is at most 2^63, so one less is compared.
+  /// `clamp_to_disc` for four contacts. The sum of squares may be 2^63, so both sides are compared
+  /// minus 1.
   void clamp(std::array<Side<Impulse>, 3>& frictions, const Side<Impulse>& limit) noexcept {
     const auto squared = frictions[0] * frictions[0] + frictions[1] * frictions[1];
     const L one(LongWord{1});

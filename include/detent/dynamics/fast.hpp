@@ -43,7 +43,7 @@ template <Scalar S, int N>
   return least.value_or(S(0));
 }
 
-/// A point of the world in the frame of a body: rounded as in a relative pose.
+/// Transforms a point of the world to the frame of a body, rounded as in a relative pose.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<typename Formats<S>::Lever, N> seen_from(
     const Standing<S, N>& body, const Vec<typename Formats<S>::Place, N>& point) noexcept {
@@ -80,14 +80,14 @@ struct Stop {
   Vec<typename Formats<S>::Lever, N> at{};
 };
 
-/// Where a point that moves straight from `from` to `to` has to stop before a convex shape, or
-/// nothing if it does not stop. `touch(pose, reach)` is the manifold with a point whose body has
-/// that pose, `radius` that of a ball around the point.
+/// Where a point that moves straight from `from` to `to` must stop before a convex shape, or
+/// nothing if it need not. `touch(pose, reach)` is the manifold of the shape and a point at that
+/// pose; `radius` is that of a ball around the point.
 ///
-/// The ball stops half a margin before the shape. If it starts within a margin, its contact stops
-/// it, and the point may come half as close as it was; if the point starts in the shape, it is
-/// free. The distance from a convex shape is a convex function of the path, so Newton's method
-/// never passes its target distance. After 16 steps the point stops where it is.
+/// The ball stops half a margin before the shape. If it starts within a margin, the contact of the
+/// bodies stops it, and here the point may only halve its distance; a point that starts in the
+/// shape does not stop. The distance from a convex shape is a convex function of the path, so
+/// Newton's method never passes its target distance. After 16 steps the point stops where it is.
 ///
 /// result: a point outside the shape                    (tests/dynamics/fast.test.cpp)
 template <Scalar S, int N, class Touch, class Lever = typename Formats<S>::Lever>
@@ -129,7 +129,7 @@ template <Scalar S, int N, class Touch, class Lever = typename Formats<S>::Lever
   return Stop<S, N>{share, pose.translation};
 }
 
-/// For the triangles of a surface, seen from their front: the earliest stop of all.
+/// The same for a surface: the earliest stop before the front of any triangle.
 template <class Body, Scalar S, class Lever = typename Formats<S>::Lever>
 [[nodiscard]] constexpr std::optional<Vec<Lever, 3>> stop_before_surface(const Body& body,
                                                                          const Vec<Lever, 3>& from,
@@ -160,7 +160,7 @@ template <class Body, Scalar S, class Lever = typename Formats<S>::Lever>
   return first ? std::optional(first->at) : std::nullopt;
 }
 
-/// For a shape, in its frame.
+/// The same for any shape of a body, in its frame.
 template <class Shape, Scalar S, int N, class Lever = typename Formats<S>::Lever>
 [[nodiscard]] constexpr std::optional<Vec<Lever, N>> stop_before(
     const Shape& shape, const BodyExtent<S, N>& extent, const Vec<Lever, N>& from,

@@ -9,7 +9,7 @@
 
 namespace detent::detail {
 
-/// The data that rows need about a body in its current pose. `axes` are those of its orientation.
+/// The data of a body in its current pose that rows need. `axes` are those of its orientation.
 template <Scalar S, int N, class Shape>
 [[nodiscard]] constexpr Support<S, N> support_of(const BodyRecord<S, N, Shape>& body,
                                                  const Axes<S, N>& axes) noexcept {
@@ -77,8 +77,8 @@ template <Scalar S, int N, class Shape>
 [[nodiscard]] constexpr bool tumbles(const BodyRecord<S, N, Shape>& body) noexcept {
   return N == 3 && !body.inertia.is_round && body.can_move();
 }
-/// The spin that keeps the angular momentum of a body that tumbles from the axes `from` to those of the
-/// orientation q, which go to `to`.
+/// Sets the spin that keeps the angular momentum of a body that tumbles from the axes `from` to
+/// those of the orientation q, and writes the latter to `to`.
 template <Scalar S, class Shape>
 constexpr void carry(const BodyRecord<S, 3, Shape>& body, Moving<S, 3>& moving,
                      const Vec<typename Formats<S>::Ratio, 4>& q, const Axes<S, 3>& from,
@@ -88,8 +88,8 @@ constexpr void carry(const BodyRecord<S, 3, Shape>& body, Moving<S, 3>& moving,
   lock<S, 3>(body.locked, moving.velocity, moving.spin);
 }
 
-/// The second half but for the turn: moves by the velocity. Places are exact, clamped at the ends of
-/// the world.
+/// The second half of a substep except for the turn: moves by the velocity. Positions are exact,
+/// but clamped at the ends of the world.
 template <Scalar S, int N, class Shape>
 constexpr void move(BodyRecord<S, N, Shape>& body, Moving<S, N>& moving) noexcept {
   using F = Formats<S>;

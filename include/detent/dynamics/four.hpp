@@ -11,23 +11,23 @@
 
 namespace detent::detail {
 
-using detent::narrow;  // which the one below would hide
+using detent::narrow;  // the overload below would hide it
 
-/// Whether a world takes four contacts, joints or bodies at once: worlds in space that grow, if
-/// `runs_vectors()`. The bits of its steps are the same in either case.
+/// Whether a world can process four contacts, joints or bodies at once, if `runs_vectors()`:
+/// growing worlds in 3D. Its steps have the same bits in either case.
 template <class Storage, Scalar S, int N>
 inline constexpr bool uses_long_lanes = may_run_vectors&& is_fixed<S>&& N == 3 && requires {
   Storage::is_growing;
 };
 
-/// Four numbers of T in memory: one of each of four contacts or joints.
+/// Four numbers of type T in memory, one for each of four contacts or joints.
 template <class T>
 using Quad = std::array<T, long_lane_count>;
 
 DETENT_BEGIN_LONG_LANES
 
-/// Four numbers of T in lanes. Arithmetic on them is that of `Fixed`; sums and products have 62 bits,
-/// and the caller must prove that they fit.
+/// Four numbers of type T in lanes, with the arithmetic of `Fixed`. Sums and products have 62 bits;
+/// the caller must prove that they fit.
 template <class T, class L>
 struct Four {
   using Number = T;
@@ -72,7 +72,7 @@ template <int Bits, int B, int F, class L>
 [[nodiscard]] constexpr auto narrow(const Four<Fixed<B, F>, L>& x) noexcept {
   return Four<Fixed<Bits, F>, L>(x.raw);
 }
-/// The bits of both.
+/// The union of the bits of both.
 template <class T, class L>
 [[nodiscard]] constexpr Four<T, L> operator|(const Four<T, L>& a, const Four<T, L>& b) noexcept {
   return Four<T, L>(a.raw | b.raw);
@@ -97,7 +97,7 @@ template <class T, class L>
   return select(above(a, b), b, a);
 }
 
-/// Long numbers, of at most 52 bits, are cut in two: u 2^22 + l with 0 <= l < 2^22.
+/// Long numbers, of at most 52 bits, are split in two: u 2^22 + l with 0 <= l < 2^22.
 inline constexpr int long_cut = 22;
 template <class T, class L>
 struct FourLong {
@@ -110,7 +110,8 @@ struct FourLong {
   }
 };
 /// A sum of up to three products of short numbers and long ones, in steps of 2^-F, as in
-/// `nearest_dot`: the product takes the lower halves of `upper`, which have its sign.
+/// `nearest_dot`. The product reads the lower 32 bits of `upper`, which hold all of it, with its
+/// sign.
 template <int F, class L>
 struct FourLongSum {
   L upper, lower;
@@ -129,7 +130,7 @@ struct FourLongSum {
     upper = upper - L::product(a.raw, b.upper);
     lower = lower - L::product(a.raw, b.lower);
   }
-  /// Rounded down to steps of 2^(cut - F), with the last bit set if anything is left over.
+  /// The sum rounded down to steps of 2^(cut - F), with the last bit set if there is a remainder.
   [[nodiscard]] constexpr L whole() const noexcept {
     const L mask((LongWord{1} << long_cut) - 1), raise(LongWord{1} << 60);
     const L carried = ((lower + raise) >> long_cut) - L(LongWord{1} << (60 - long_cut));
@@ -137,8 +138,8 @@ struct FourLongSum {
   }
 };
 
-/// Rounds and counts whether a number is outside its type's range: then nothing that was computed
-/// counts, and a slower function that clamps takes its place.
+/// Rounds, and notes whether any number is outside the range of its type. If so, the caller must
+/// discard everything computed and use the slower functions that clamp.
 template <class L>
 class FourRounder {
  public:
@@ -149,7 +150,7 @@ class FourRounder {
   [[nodiscard]] constexpr Four<T, L> nearest(const Four<Fixed<B, F>, L>& x) noexcept {
     return Four<T, L>(raised<T>(x) - lift<T>());
   }
-  /// The same of a T that holds all results, for |x| <= 2^62 in steps.
+  /// The same without a check, for a T that holds all results; |x| <= 2^62 in steps.
   template <class T, int B, int F>
   [[nodiscard]] static constexpr Four<T, L> nearest_long(const Four<Fixed<B, F>, L>& x) noexcept {
     constexpr int shift = F - T::frac;
@@ -184,11 +185,12 @@ class FourRounder {
     return nearest<T>(Four<Fixed<62, F - long_cut>, L>(sum.whole()));
   }
 
-  /// A sum of up to three products of long numbers with 30 bits of fraction, below 2^37 and 2^44 in
-  /// steps, rounded to nearest on the grid of the second ones. Others count as out of range.
+  /// A sum of up to three products of long numbers, rounded to nearest on the grid of the second
+  /// factors. The first factors have 30 fractional bits and are below 2^37 steps, the second below
+  /// 2^44 steps; others count as out of range.
   ///
-  /// With 2^15 u + v and 2^22 y + z a product is 2^37 u y, a multiple of 2^30 by an even number, and
-  /// 2^15 u z + 2^22 v y + v z, of which three are below 2^62.
+  /// With factors 2^15 u + v and 2^22 y + z a product is the sum of 2^37 u y, which is an even
+  /// multiple of 2^30, and of 2^15 u z + 2^22 v y + v z, three of which are below 2^62 in sum.
   template <class T, class A, std::size_t Count>
   [[nodiscard]] constexpr Four<T, L> nearest_long_dot(
       const std::array<Four<A, L>, Count>& stretches,
@@ -230,13 +232,14 @@ class FourRounder {
       beyond_ = beyond_ | (lifted >> (T::bits + 1));
     }
   }
-  /// (x + raise) / 2^Shift rounded to nearest, for a multiple of 2^(Shift + 1) that makes it positive.
+  /// (x + raise) / 2^Shift rounded to nearest; `raise` is a multiple of 2^(Shift + 1) that makes
+  /// the sum positive.
   template <int Shift>
   static constexpr L shifted(const L& x, LongWord raise) noexcept {
     const L odd = (x >> Shift) & L(LongWord{1});
     return (x + L(raise + (LongWord{1} << (Shift - 1)) - 1) + odd) >> Shift;
   }
-  /// nearest(x) + 2^Bits, noted. If x + 2^Bits is negative its upper bits are set.
+  /// nearest(x) + 2^Bits, with its range noted. If it is negative, its upper bits are set.
   template <class T, int B, int F>
   constexpr L raised(const Four<Fixed<B, F>, L>& x) noexcept {
     constexpr int shift = F - T::frac;
@@ -249,7 +252,7 @@ class FourRounder {
   L beyond_, beyond_30_, beyond_31_;
 };
 
-/// The velocities of four bodies, or their shifts and turns in this tick.
+/// The velocities and spins of four bodies, or their shifts and turns in this tick.
 template <Scalar S, class L>
 struct FourMotions {
   using F = Formats<S>;
@@ -258,13 +261,13 @@ struct FourMotions {
   std::array<Four<typename F::Spin, L>, 3> spin{};
 };
 
-/// The bodies on one side of four contacts, in place. What is not stored stays as it is.
+/// References to the bodies on one side of four contacts.
 template <Scalar S, class L>
 class FourBodies {
   using Body = Moving<S, 3>;
   using Speed = Four<typename Formats<S>::Speed, L>;
   using Spin = Four<typename Formats<S>::Spin, L>;
-  static_assert(!is_fixed<S> || sizeof(Body) == 48, "detent: twelve numbers of 32 bits");
+  static_assert(!is_fixed<S> || sizeof(Body) == 48, "detent: twelve 32-bit numbers");
 
  public:
   FourBodies(Body* bodies, const Quad<std::uint32_t>& indices) noexcept : after_() {
@@ -286,7 +289,7 @@ class FourBodies {
     return {{Speed(lower(words[1])), Speed(upper(words[1])), Speed(lower(words[2]))},
             {Spin(upper(words[2])), Spin(lower(words[3])), Spin(upper(words[3]))}};
   }
-  /// Writes the velocities of the bodies that have a mark, of whom `motions` has read before.
+  /// Writes the velocities of the marked bodies. `motions` must have been called before.
   void store(const FourMotions<S, L>& m, const Quad<bool>& marks) noexcept {
     std::array<std::byte, 32> unused;
     const auto to = [&](std::size_t k) -> void* {

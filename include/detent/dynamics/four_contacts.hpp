@@ -6,7 +6,7 @@
 
 namespace detent::detail {
 
-/// The contacts of a group, to be prepared: up to `size` of four. Others repeat the first.
+/// The input of `prepare_four`: the contacts of a group. Missing ones repeat the first.
 template <Scalar S>
 struct FourContacts {
   using F = Formats<S>;
@@ -34,9 +34,9 @@ template <class T, int B>
 
 DETENT_BEGIN_LONG_LANES
 
-/// Prepares contacts of bodies without locked axes, as `prepare` and `gather` do one after another;
-/// `group` has the first of them and their number, `ready` the counts of points and which bodies are
-/// pushed. Returns false if some number must be clamped: then the group is not ready.
+/// Prepares contacts of bodies without locked axes, with the result of `prepare` and then `gather`.
+/// `group` has their first index and their number, `ready` their numbers of points and which bodies
+/// are pushed. Returns false if some number must be clamped; the group is then not ready.
 template <class L, Scalar S>
 [[nodiscard]] bool prepare_four(ContactGroup<S>& group, const FourContacts<S>& from,
                                 const Support<S, 3>* supports, ReadyContact<S, 3>* ready) noexcept {
@@ -129,7 +129,7 @@ template <class L, Scalar S>
     };
     return {about(1, 2), about(2, 0), about(0, 1)};
   };
-  // The response to a moment, and what it gives: as `give`.
+  // Stores the response to a moment, and returns what it gives, as `give` does.
   const auto respond = [&](const Moments& turn, const Gyrations& spread, auto& to_moment,
                            auto& to_response) {
     const auto response = three([&](std::size_t i) {
@@ -214,7 +214,7 @@ template <class L, Scalar S>
     for (std::size_t t = 0; t < 2; ++t) {
       for (std::size_t c = 0; c < 3; ++c) across[t][c][k] = both[t][static_cast<int>(c)];
     }
-    if (points == 1) continue;  // at the middle
+    if (points == 1) continue;  // it is the middle
     std::array<Arm, Group::capacity> distance{};
     for (std::size_t i = 0; i < points; ++i) {
       const Vec<Lever, 3> p{at[i][0][k], at[i][1][k], at[i][2][k]};

@@ -15,7 +15,7 @@ using FourAxes = std::array<std::array<Four<typename Formats<S>::Ratio, L>, 3>, 
 
 DETENT_BEGIN_LONG_LANES
 
-/// Four words of each of four objects that start `offset` bytes behind their first.
+/// Four words of each of four objects, starting at `offset` bytes.
 template <class L, class T>
 [[nodiscard]] std::array<L, 4> words_at(const Quad<const T*>& objects,
                                         std::size_t offset) noexcept {
@@ -24,7 +24,7 @@ template <class L, class T>
   };
   return L::load({at(0), at(1), at(2), at(3)});
 }
-/// The halves of a word with their signs: i is that of the half.
+/// Half i of the words, with its sign.
 template <class L>
 [[nodiscard]] L half_of(const std::array<L, 4>& words, std::size_t i) noexcept {
   const L& word = words[i / 2];
@@ -52,8 +52,9 @@ void store_axes(const FourAxes<S, L>& axes, const Quad<Axes<S, 3>*>& to) noexcep
   for (std::size_t k = 0; k < long_lane_count; ++k) (*to[k])[2].z = last[k];
 }
 
-/// `axes_of` four orientations: with squared lengths of 1 + e, quotients are n - n e, unless more of
-/// the series may change how they round: see `quotient_of_near_one`.
+/// `axes_of` for four orientations. With squared lengths of 1 + e, quotients are n - n e; if
+/// further terms may change the rounding, the number counts as out of range: see
+/// `quotient_of_near_one`.
 template <Scalar S, class L>
 [[nodiscard]] FourAxes<S, L> axes_of_four(
     const std::array<Four<typename Formats<S>::Ratio, L>, 4>& q, FourRounder<L>& round) noexcept {
@@ -79,13 +80,14 @@ template <Scalar S, class L>
            {quotient(twice(zx + yw)), quotient(twice(yz - xw)), quotient((ww + zz) - (xx + yy))}}};
 }
 
-/// `turned` four orientations by spins below 1 / 16; others, and numbers that may round otherwise,
-/// count as out of range.
+/// `turned` for four orientations and spins below 1 / 16. Other spins, and numbers too close to a
+/// tie, count as out of range.
 ///
-/// n = q + angle q has 59 + Halvings bits of fraction, s more than its rounded h: n = 2^s h + l. With
-/// |n|^2 = 1 + e, in steps of 2^-60 but for 2, and |e| < 2^-11 the result is n - n d, where
-/// d = 1 - (1 + e)^(-1/2) = e (1/2 - e (3/8 - 5/16 e)) but for e^4 35/128 < 2^-45. Steps of 2^-42 for
-/// e and d, and h for n in the product, which is off by less than 2^-43, add up to less than 2^-41.
+/// n = q + angle q has 59 + Halvings fractional bits, s more than its rounded value h: n = 2^s h +
+/// l. |n|^2 = 1 + e is known within 2 steps of 2^-60, and |e| < 2^-11. The result is n - n d, where
+/// d = 1 - (1 + e)^(-1/2) = e (1/2 - e (3/8 - 5/16 e)), off by e^4 35/128 < 2^-45. Steps of 2^-42
+/// for e and d, and h in place of n in the product, which changes it by less than 2^-43, add up to
+/// less than 2^-41.
 template <int Halvings, Scalar S, class L>
 [[nodiscard]] std::array<Four<typename Formats<S>::Ratio, L>, 4> turned_four(
     const std::array<Four<typename Formats<S>::Ratio, L>, 4>& q,
@@ -111,7 +113,7 @@ template <int Halvings, Scalar S, class L>
   }
   const L e = down(squares + down(mixed, s - 1) + power(17), 18);  // in steps of 2^-42
   round.template checked<Fixed<31, 42>>(Four<Fixed<62, 42>, L>(e));
-  const L slope = L(LongWord{3} << 28) - down((e << 2) + e, 15);  // of 2^-31
+  const L slope = L(LongWord{3} << 28) - down((e << 2) + e, 15);  // in steps of 2^-31
   const L part = power(30) - down(L::product(e, slope), 42);
   const L d = down(L::product(e, part) + power(30), 31);
   std::array<Four<Ratio, L>, 4> result;
@@ -124,8 +126,8 @@ template <int Halvings, Scalar S, class L>
   return result;
 }
 
-/// The orientations of four bodies, `turned` by their spins. Returns false, and has changed nothing, if
-/// a number must be rounded or clamped with more care.
+/// The orientations of four bodies, `turned` by their spins. Returns false, and changes nothing, if
+/// a number needs exact rounding or clamping.
 template <class L, int Halvings, Scalar S>
 [[nodiscard]] bool turn_four(const Quad<const BodyState<S, 3>*>& states, Moving<S, 3>* moving,
                              const Quad<std::uint32_t>& indices,
@@ -155,7 +157,8 @@ template <class T, class L>
   return {FourLong<T, L>(v[0]), FourLong<T, L>(v[1]), FourLong<T, L>(v[2])};
 }
 
-/// Sum of axes[i][k] v[i] over i, and of axes[i][k] v[k] over k; rounded once.
+/// Sums of axes[i][k] v[i] over i (`out_of_four`), and of axes[i][k] v[k] over k (`into_four`),
+/// each rounded once.
 template <class To, Scalar S, class T, class L>
 [[nodiscard]] std::array<Four<To, L>, 3> out_of_four(const FourAxes<S, L>& axes,
                                                      const FourLongs<T, L>& v,
@@ -181,7 +184,7 @@ template <class To, Scalar S, class T, class L>
   return result;
 }
 
-/// Writes `in_world` of four matrices: R m R^T, rounded after either product.
+/// `in_world` for four matrices: R m R^T, rounded after each product.
 template <Scalar S, class L>
 std::array<Four<typename Formats<S>::Gyration, L>, 6> in_world_four(
     const std::array<Four<typename Formats<S>::Gyration, L>, 6>& m, const FourAxes<S, L>& axes,
@@ -204,8 +207,8 @@ std::array<Four<typename Formats<S>::Gyration, L>, 6> in_world_four(
   return {product(0, 0), product(1, 1), product(2, 2), product(1, 2), product(2, 0), product(0, 1)};
 }
 
-/// The axes and spreads of four bodies, as `support_of` has them, of which none is locked. Returns
-/// false, and has changed nothing, if a number must be rounded or clamped with more care.
+/// Sets the axes and spreads of four bodies without locked axes, as `support_of` does. Returns
+/// false, and changes nothing, if a number needs exact rounding or clamping.
 template <class L, Scalar S, class Body>
 [[nodiscard]] bool support_four(const Quad<Body*>& bodies, const Quad<Support<S, 3>*>& supports,
                                 bool has_axes) noexcept {
@@ -247,14 +250,15 @@ template <class L, Scalar S, class Body>
 
 DETENT_END_LONG_LANES
 
-/// Up to four bodies that turn: from the axes `from` to those of the orientations, which go to `to`.
+/// Up to four bodies that turn from the axes `from` to those of the orientations, which are written
+/// to `to`.
 template <Scalar S>
 struct FourTurns {
   using Axes = detail::Axes<S, 3>;
   using Orientation = Vec<typename Formats<S>::Ratio, 4>;
 
   std::size_t size = 0;
-  bool are_diagonal = true;  // the frames' axes are those of inertia
+  bool are_diagonal = true;  // the frames' axes are the principal axes
   Quad<std::uint32_t> body{};
   Quad<bool> marks{};
   Quad<Orientation> orientation{};
@@ -280,7 +284,7 @@ struct FourTurns {
 
 DETENT_BEGIN_LONG_LANES
 
-/// Where four bodies are, for rows.
+/// The supports of four bodies, in lanes.
 template <Scalar S, class L>
 struct FourSupports {
   using F = Formats<S>;
@@ -305,7 +309,8 @@ struct FourSupports {
   }
 };
 
-/// Carries spins: see `carried`. Returns false, and has changed nothing, if a number must be rounded or clamped with more care.
+/// Carries spins, as `carried` does. Returns false, and changes nothing, if a number needs exact
+/// rounding or clamping.
 template <class L, Scalar S>
 [[nodiscard]] bool carry_four(const FourTurns<S>& turns, Moving<S, 3>* moving) noexcept {
   using F = Formats<S>;
@@ -370,7 +375,7 @@ class SupportQueue {
   constexpr SupportQueue(const Bodies& bodies, Supports& supports) noexcept
       : bodies_(bodies), supports_(supports) {}
 
-  /// Of a body whose support has its axes already, or not.
+  /// Adds a body. `has_axes`: its support has the axes already.
   constexpr void add(std::size_t i, bool has_axes) noexcept {
     if constexpr (HasFours) {
       if (bodies_[i].locked == 0 && runs_vectors()) {

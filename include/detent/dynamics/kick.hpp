@@ -14,7 +14,7 @@ struct Kick {
   Axial<typename F::Spin, N> spin{};
 };
 
-/// The moment of a vector applied at `r` from the center: exact.
+/// The moment of a vector applied at `r` from the center, exactly.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto moment_of(const Vec<typename Formats<S>::Lever, N>& r,
                                        const Vec<S, N>& v) noexcept {

@@ -116,8 +116,8 @@ template <Scalar S, int N>
   return {shape, body.translation, upright<S, N>()};
 }
 
-/// Half the sides of a box about the origin of the body's frame, and a radius to add to them, that
-/// together contain the shape.
+/// Half the sides of a box about the origin of the body's frame, and a radius to add on all sides;
+/// together they contain the shape.
 template <Scalar S, int N>
 struct BodyExtent {
   Vec<S, N> half_extents{};
@@ -156,7 +156,7 @@ template <Scalar S, int N>
   return extent;
 }
 
-/// That of the box around a surface; 0 without triangles.
+/// The extent of the box around a surface; 0 without triangles.
 template <class Body>
 requires is_surface_body<Body>
 [[nodiscard]] constexpr auto extent_of(const Body& body) noexcept {
@@ -173,8 +173,8 @@ struct BodyBox {
   Vec<Bound, N> least{}, most{};
 };
 
-/// Contains the shape with twice `margin` around it: enough for two manifolds within `margin`, and
-/// more than all roundings.
+/// Contains the shape and twice `margin` around it: enough for the manifolds of two shapes within
+/// `margin`, and more than all roundings.
 template <Scalar S, int N>
 [[nodiscard]] constexpr BodyBox<S, N> bounds_of(const Vec<typename Formats<S>::Place, N>& place,
                                                 const Axes<S, N>& axes,

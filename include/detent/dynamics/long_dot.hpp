@@ -33,8 +33,8 @@ template <class T, class Short, class Long, int N>
   }
 }
 
-/// n / d rounded to nearest, for d > 0, of numbers of at most 53 bits on one grid: most quotients are
-/// below 2^32 steps, and take one division of 64 bits.
+/// n / d rounded to nearest, for d > 0 and numbers of at most 53 bits on one grid. Most quotients
+/// are below 2^32 steps and take one 64-bit division.
 template <class T, class N, class D>
 [[nodiscard]] constexpr T quotient_of_long(const N& n, const D& d) noexcept {
   if constexpr (is_fixed<T>) {

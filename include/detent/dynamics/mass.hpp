@@ -40,8 +40,8 @@ template <Scalar S, int N>
   return detail::box_properties(shape, density);
 }
 
-/// The hull's points may be in any order and may be inside it. The time is proportional to the cube
-/// of their number: call this when making bodies, not every tick.
+/// The points of the hull may be in any order, and may lie inside it. The time is proportional to
+/// the cube of their number: call this when you make bodies, not every tick.
 template <Scalar S, int N>
 [[nodiscard]] constexpr MassProperties<S, N> mass_properties(const ConvexHull<S, N>& shape,
                                                              S density) noexcept {
@@ -63,7 +63,7 @@ template <Scalar S, int N>
   });
 }
 
-/// The sum over the parts of a compound, all of one density.
+/// The properties of a compound whose parts all have this density.
 template <class... Shapes, Scalar S>
 [[nodiscard]] constexpr auto mass_properties(const Compound<Shapes...>& compound,
                                              S density) noexcept {

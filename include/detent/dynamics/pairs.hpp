@@ -24,7 +24,7 @@ template <class Contact>
   return {contact.a, contact.b};
 }
 
-/// The number of a contact.
+/// What identifies a contact: bodies and parts.
 struct ContactKey {
   BodyPair pair{};
   std::uint16_t member = 0;
@@ -93,7 +93,7 @@ class Strips {
   std::array<Bound, most_strips> ends_{};  // where the next strip begins
 };
 
-/// Orders pairs by counting: by b, then by a, keeping the order by b. Bodies have indices below
+/// Sorts pairs by counting: by b, then by a, keeping the order by b. Bodies have indices below
 /// `bodies`. `room` and `ends` are overwritten.
 template <class Pairs, class Ends>
 constexpr void order_pairs(Pairs& pairs, Pairs& room, Ends& ends, std::size_t bodies) {
@@ -132,8 +132,8 @@ constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, co
       const bool is_in = bodies[i].first_strip <= strip && strip <= bodies[i].last_strip;
       size += is_in ? 1u : 0u;
     }
-    // Most bodies that overlap along x are apart along another axis, and no processor can guess which:
-    // every pair is noted, and the next one overwrites it unless they meet.
+    // Branchless, because it is unpredictable which bodies are apart along another axis: every pair
+    // is written, and the next one overwrites it unless the bodies overlap.
     std::array<BodyPair, 64> met{};
     std::size_t met_size = 0;
     const auto report = [&] {

@@ -48,7 +48,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool is_locked(std::uint8_t locked, int axis) noexcept {
   return ((locked >> axis) & 1) != 0;
 }
-/// Whether it is locked against turning about an axis; in 2D about the only one.
+/// Whether a body is locked against turning about an axis; in 2D there is only one.
 template <int N>
 [[nodiscard]] constexpr bool is_turn_locked(std::uint8_t locked, int axis) noexcept {
   return N == 2 ? (locked & AxisLock::turn) != 0 : is_locked(locked, axis + 3);
@@ -96,7 +96,7 @@ struct BodyRecord {
   bool is_fast = false;
   Shape shape{};  // in the body's frame
   BodyState<S, N> state{};
-  Vec<typename F::Speed, N> push{};  // by forces, in each substep of the next tick
+  Vec<typename F::Speed, N> push{};  // gained from forces in each substep of the next tick
   Axial<typename F::Spin, N> twist{};
 
   // Derived from the others.

@@ -47,9 +47,9 @@ template <Scalar S, int N>
 
 /// Whether two balls or capsules are surely more than the margin apart, because their centers are.
 ///
-/// Axes are a rotation's, rounded: products with them are off by less than 2^-28 of the offset, which
-/// is less than 2^33 steps if it is clamped. With the roundings of both cores and of the distance,
-/// that is less than 2^10 steps.
+/// Axes are those of a rotation, rounded: products with them are off by less than 2^-28 of the
+/// offset, which is less than 2^33 steps even if it is clamped. With the roundings of both cores
+/// and of the distance, the error is less than 2^10 steps.
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool centers_are_apart(
     [[maybe_unused]] const BodyExtent<S, N>& a, [[maybe_unused]] const BodyExtent<S, N>& b,

@@ -9,9 +9,9 @@
 
 #include "detent/dynamics/contact.hpp"
 
-// Rolling resistance: a torque between two bodies against the turning of one on the other, at most
-// the resistance times the radius times the pressure of their contact. It stops balls and capsules,
-// which friction lets roll and spin for ever.
+// Rolling resistance: a torque between two bodies that opposes the rotation of one relative to the
+// other, at most the resistance times the radius times the pressure of their contact. It stops
+// balls and capsules, which friction lets roll and spin for ever.
 
 namespace detent::detail {
 
@@ -33,8 +33,8 @@ struct RollingLimit {
   [[nodiscard]] constexpr bool is_any() const noexcept { return resistance > 0 && radius > 0; }
 };
 
-/// The greater of the resistances of two bodies or their parts, and the radius of what is round; of
-/// two that are, the lesser.
+/// The greater resistance of two bodies or parts, and the radius of the round one, or the lesser
+/// radius of two.
 template <Scalar S, int N, class Shape, class Contact>
 [[nodiscard]] constexpr RollingLimit<S> rolling_limit(const BodyRecord<S, N, Shape>& a,
                                                       const BodyRecord<S, N, Shape>& b,
@@ -71,7 +71,7 @@ template <Scalar S, int N, class Shape>
   return compound == nullptr ? body.rolling_resistance > 0 : compound->resists_rolling();
 }
 
-/// Whether a contact does: its impulses of rolling are state.
+/// Whether a contact resists rolling, so that its rolling impulses are state.
 template <Scalar S, int N, class Shape, class Contact>
 [[nodiscard]] constexpr bool resists_rolling(const BodyRecord<S, N, Shape>& a,
                                              const BodyRecord<S, N, Shape>& b,
@@ -94,7 +94,8 @@ struct Rolling {
 /// The rows of a contact whose bodies have these inverse squared gyrations, times their shares.
 ///
 /// The greatest sum of magnitudes of a row of a symmetric matrix is at least its greatest
-/// eigenvalue, and equal to it for balls: so one mass for all axes takes no more spin than there is.
+/// eigenvalue, and equal to it for balls: so one mass for all axes never removes more spin than
+/// there is.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Rolling<S, N> prepare_rolling(
     const RollingLimit<S>& limit, const Spread<typename Formats<S>::Gyration, N>& spread_a,
@@ -122,7 +123,7 @@ template <Scalar S, int N>
   return rolling;
 }
 
-/// Turns b about axis k of the world by `impulse` at the lever, and a against it.
+/// Turns b about axis k of the world by `impulse` at the lever, and a in the opposite direction.
 template <Scalar S, int N>
 constexpr void roll(const Rolling<S, N>& rolling, int k,
                     const typename Formats<S>::Impulse& impulse, Moving<S, N>& a, Moving<S, N>& b,
@@ -141,7 +142,7 @@ constexpr void roll(const Rolling<S, N>& rolling, int k,
   if (pushed.b) push_each<1, turns, typename F::Spin>(column(rolling.on_b), impulse, b.spin);
 }
 
-/// Starts a substep from the impulses of the last.
+/// Warm-starts a substep with the impulses of the last one.
 template <Scalar S, int N>
 constexpr void warm_start_rolling(const ReadyContact<S, N>& ready,
                                   const RollingContact<S, N>& contact, Moving<S, N>& a,
@@ -152,7 +153,7 @@ constexpr void warm_start_rolling(const ReadyContact<S, N>& ready,
   }
 }
 
-/// Brakes the turning of one body on the other about all axes, within the limit of its contact.
+/// Slows the relative rotation of both bodies about all axes, within the limit of their contact.
 template <Scalar S, int N>
 constexpr void solve_rolling(const ReadyContact<S, N>& ready, RollingContact<S, N>& contact,
                              Moving<S, N>& a, Moving<S, N>& b) noexcept {

@@ -21,7 +21,7 @@ struct Moving {
   Axial<typename F::Spin, N> turn{};
 };
 
-/// One direction in which two bodies push each other, without its unit vector n.
+/// One direction in which two bodies push each other, except for its unit vector n.
 template <Scalar S, int N>
 struct Row {
   using F = Formats<S>;
@@ -40,10 +40,10 @@ struct Thrust {
   Vec<Ratio, N> on_a{}, on_b{};
 };
 
-/// The rate at which b leaves a along a row: n . (dv_b - dv_a) + c_b . dw_b - c_a . dw_a.
+/// The rate at which b moves away from a along a row: n . (dv_b - dv_a) + c_b . dw_b - c_a . dw_a.
 ///
-/// |n . dv| <= 2^31 sqrt(3) 2^30 (1 + 2^-28) and c . dw <= 2^29 sqrt(3) 2^30 sqrt(3), all with two
-/// bodies, fit 62 bits; the first is rounded to the grid of the second, the sum once more.
+/// |n . dv| <= 2^31 sqrt(3) 2^30 (1 + 2^-28) and c . dw <= 2^29 sqrt(3) 2^30 sqrt(3), with both
+/// bodies, fit 62 bits. The first is rounded to the grid of the second, the sum once more.
 template <Scalar S, int N, class F = Formats<S>>
 [[nodiscard]] constexpr typename F::Speed rate_along(
     const Vec<typename F::Ratio, N>& n, const Row<S, N>& row, const Vec<typename F::Speed, N>& va,
@@ -70,8 +70,8 @@ template <Scalar S, int N, class F = Formats<S>>
   return saturate_to<typename F::Speed>(sum);
 }
 
-/// Whether some number is outside the range of T, which has at most 62 bits: one sum and one or a
-/// number, and one comparison for all of them.
+/// Detects numbers outside the range of T, which has at most 62 bits, with one addition and one OR
+/// per number and a single comparison.
 template <class T>
 class Spill {
  public:
@@ -126,12 +126,12 @@ constexpr void push_each(const Shares& share, const Impulse& impulse, Velocity& 
   }
 }
 
-/// The bodies of a row that an impulse changes: the other one's shares are all 0.
+/// Which bodies of a row an impulse changes; the shares of the other are all 0.
 struct Pushed {
   bool a = true, b = true;
 };
 
-/// Turns b along the row by `impulse` and a oppositely. A product is rounded, a spin clamped.
+/// Turns b along the row by `impulse`, and a by the opposite. Products are rounded, spins clamped.
 template <Scalar S, int N, class F = Formats<S>>
 constexpr void turn_both(const Row<S, N>& row, const typename F::Impulse& impulse, Moving<S, N>& a,
                          Moving<S, N>& b, const Pushed& pushed = {}) noexcept {
@@ -142,7 +142,8 @@ constexpr void turn_both(const Row<S, N>& row, const typename F::Impulse& impuls
   if (pushed.b) push_each<1, turns, Spin>(row.response_b, impulse, b.spin);
 }
 
-/// Pushes b along the row by `impulse` and a oppositely. A product is rounded, a velocity clamped.
+/// Pushes b along the row by `impulse`, and a by the opposite. Products are rounded, velocities
+/// clamped.
 template <Scalar S, int N, class F = Formats<S>>
 constexpr void apply(const Thrust<S, N>& push, const Row<S, N>& row,
                      const typename F::Impulse& impulse, Moving<S, N>& a, Moving<S, N>& b,
@@ -216,8 +217,8 @@ constexpr void complete(Row<S, N>& row, const Spread<typename F::Gyration, N>& s
       lost, give<S, N>(row.moment_a, row.response_a) + give<S, N>(row.moment_b, row.response_b));
 }
 
-// A push along axis I of the world, in fixed point: the same bits as above, without the products by
-// the zeros of the unit vector and of the moment. The others, by 1, are exact.
+// A push along axis I of the world, in fixed point: the same bits as above, without the products
+// with the zeros of the unit vector and the moment. Products with 1 are exact.
 
 /// Sets the moment of a push along axis I at `arm` and the response to it; returns what it gives.
 template <int I, Scalar S, class F = Formats<S>>

@@ -50,21 +50,20 @@ template <Scalar S, int N>
 struct BodyOptions {
   BodyMotion motion = BodyMotion::dynamic;
   S density = S(1);                                 // mass per area or volume
-  S friction = detail::fraction<S>(3, 5);           // of two bodies, the root of the product
-  S restitution = S(0);                             // of two bodies, the greater one
-  S linear_damping = S(0), angular_damping = S(0);  // share lost per second, for small ones
+  S friction = detail::fraction<S>(3, 5);           // two bodies: the root of the product
+  S restitution = S(0);                             // two bodies: the greater one
+  S linear_damping = S(0), angular_damping = S(0);  // share lost per second, if small
   Vec<S, N> velocity{};                             // units per second
   detail::Axial<S, N> angular_velocity{};           // radians per second
   S gravity_scale = S(1);                           // of the world's gravity
   std::uint8_t locked = 0;                          // bits of `AxisLock`
-  bool is_sensor = false;                           // touches are reported, and push nobody
+  bool is_sensor = false;                           // touches are reported, and push nothing
   bool is_fast = false;                       // never passes through others: continuous collision
   std::uint32_t layers = 1;                   // the layers that it is in
-  std::uint32_t collides_with = 0xffffffffu;  // the layers that it meets; both must want to meet
+  std::uint32_t collides_with = 0xffffffffu;  // layers it collides with; both bodies must agree
   std::uint64_t user = 0;                     // any word; saved, never read
-  /// What stops balls and capsules from rolling and spinning: the torque that a contact resists
-  /// them with, as a share of its pressure times their radius. Of two bodies, the greater one; 0.05
-  /// is much.
+  /// Stops balls and capsules from rolling and spinning: the greatest torque of a contact against
+  /// it, as a share of its pressure times the radius. Two bodies: the greater one; 0.05 is a lot.
   S rolling_resistance = S(0);
 };
 
@@ -75,7 +74,7 @@ struct WorldSettings {
   int substeps = 4;
   Vec<S, N> gravity = detail::standard_gravity<S, N>();
   S margin = detail::fraction<S>(1, 50);       // distance at which bodies are in contact
-  S push_speed = S(3);                         // the fastest that an overlap is undone
+  S push_speed = S(3);                         // greatest speed at which an overlap is undone
   S bounce_threshold = S(1);                   // slower impacts do not bounce
   S sleep_speed = detail::fraction<S>(1, 20);  // slower bodies may sleep; 0: never
 };

@@ -28,24 +28,22 @@
 // Version 2, all little-endian:
 // * a header of 64 bytes;
 // * each body that is not fixed, in order of index: a word of its index (bits 0 to 19), its quiet
-//   ticks (20 to 27), whether it sleeps (28) and whether it is made like the body before it (29);
-//   generation (4 bytes); place, orientation, velocity, spin: 72 bytes in 3D with Q16.16. Unless it
-//   is made like the body before it: motion (1, plus 4 if the last item but one follows, plus 8 if
-//   the last does), layers, layers
-//   that it meets (4 each), user word (8), density, friction, restitution, damping of velocity and
-//   spin, shape type (1), the numbers of the shape (of a hull or a surface its id (4), its digest (8),
-//   and a translation and a rotation that do nothing); if one of them is not the default, locked axes
+//   ticks (20 to 27), whether it sleeps (28), whether its properties are those of the body before it
+//   (29) and whether forces or torques act on it (30); generation (4 bytes); place, orientation,
+//   velocity, spin: 72 bytes in 3D with Q16.16; if forces or torques act, their change of velocity
+//   and spin in each substep of the next tick. Unless bit 29 is set, its properties follow: motion
+//   (1, plus 4 if the last item but one follows, plus 8 if the last does), layers, layers that it
+//   meets (4 each), user word (8), density, friction, restitution, damping of velocity and spin,
+//   shape type (1), the numbers of the shape (of a hull or a surface its id (4), its digest (8), and
+//   a translation and a rotation that do nothing); if one of them is not the default, locked axes
 //   (bits 0 to 5), sensor (bit 6) and fast (bit 7) in a byte, and the scale of gravity; rolling
-//   resistance if it is not 0. Bit 30 of the
-//   word: after the spin comes what forces and torques will do in the next tick, a velocity and a
-//   spin;
+//   resistance if it is not 0;
 // * each contact, in order of its bodies and its triangle: a word of the index of a (bits 0 to 19),
 //   the number of points (20 to 22), whether it touches (23) and the low bits of the triangle (24 to
 //   31); a word of the index of b (0 to 19) and the high bits of the triangle; if a body is a
-//   compound, its part (2 bytes); of each point its feature and pressure, then the impulses of
-//   friction: 52 bytes for four points in 3D; if the contact resists rolling, those of rolling. Of
-//   two compounds the part of b is where others have
-//   the triangle;
+//   compound, its part (2 bytes); the feature and pressure of each point, then the impulses of
+//   friction: 52 bytes for four points in 3D; if the contact resists rolling, its rolling impulses.
+//   If both bodies are compounds, the part of b takes the bits of the triangle;
 // * each joint, in order of index: a word of its index (bits 0 to 20), whether its bodies collide
 //   (21), whether it has limits (22) and its kind (24 to 31); generation, index of a, index of b
 //   (4 bytes each); its numbers; the impulses of its pushes and turns;
@@ -78,7 +76,7 @@ struct WorldHeader : SnapshotStart<0x574e5444u, 2, 64> {
 
 inline constexpr std::uint8_t sensor_bit = 1u << 6, fast_bit = 1u << 7;
 
-/// Whether locked axes, sensor, fast or the scale of gravity are not the default.
+/// Whether locked axes, sensor, fast or the scale of gravity differ from the defaults.
 template <class Body>
 [[nodiscard]] constexpr bool has_extras(const Body& body) noexcept {
   return body.locked != 0 || body.is_sensor || body.is_fast ||
@@ -127,7 +125,7 @@ template <class Body>
   return part_count(a) != 0 || part_count(b) != 0;
 }
 
-/// Of a contact of bodies a and b.
+/// Appends the state of a contact of bodies a and b.
 template <class D, class Body, class C>
 constexpr void describe_contact(D& out, const Body& a, const Body& b, const C& contact) noexcept {
   out.add(contact.a | std::uint32_t{contact.count} << 20 |
@@ -176,7 +174,7 @@ constexpr void describe_world(D& out, const World& world) noexcept {
   if constexpr (World::has_joints) describe_joints(out, WorldAccess::joints(world).list);
 }
 
-/// The number of fixed bodies, and the digest of them.
+/// The number of fixed bodies, and their digest.
 struct FixedBodies {
   std::uint32_t count = 0;
   std::uint64_t digest = 0;
@@ -236,7 +234,7 @@ template <class Storage, Scalar S, int N, class... Parts>
   return header;
 }
 
-/// Writes the snapshot of a world that has this header, all bytes of it.
+/// Writes all bytes of the snapshot of a world with this header.
 template <class World>
 constexpr void write_world(const WorldHeader& header, const World& world,
                            std::byte* room) noexcept {
@@ -256,8 +254,8 @@ template <class Shape, class Assets>
   }
 }
 
-/// Reads the properties of a body; returns a reason other than `yes` for bytes that are not a body
-/// of this world.
+/// Reads the properties of a body; returns a reason other than `yes` if they are not valid for this
+/// world.
 template <Scalar S, int N, class... Shapes, class Assets>
 [[nodiscard]] constexpr Restored read_make(Reader& in, BodyRecord<S, N, OneOf<Shapes...>>& body,
                                            const Assets& assets) noexcept {
@@ -291,7 +289,7 @@ template <Scalar S, int N, class... Shapes, class Assets>
   return is_body ? said : Restored::corrupted;
 }
 
-/// Whether two bodies have parts, or triangles, of the numbers of a contact.
+/// Whether two bodies have the parts or triangles that a contact names.
 template <class Body, class Contact>
 [[nodiscard]] constexpr bool has_parts(const Body& a, const Body& b,
                                        const Contact& contact) noexcept {
@@ -440,7 +438,7 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   if (header.next_generation == 0) return Restored::corrupted;
   const auto& old = WorldAccess::bodies(world);
   std::remove_cvref_t<decltype(old)> bodies;
-  // No more than the bytes can be, whatever the header claims.
+  // No more than the bytes can hold, whatever the header claims.
   bodies.reserve((std::min)(std::size_t{header.bodies} + std::size_t{header.fixed},
                             old.size() + bytes.size() / sizeof(std::uint64_t)));
   for (std::size_t i = 0; i < old.size(); ++i) {

@@ -5,7 +5,7 @@
 
 namespace detent::detail {
 
-/// Warm-starts a substep with the impulses of the last.
+/// Warm-starts a substep with the impulses of the last one.
 template <Scalar S, int N>
 constexpr void warm_start(const ReadyContact<S, N>& ready, const BodyContact<S, N>& contact,
                           Moving<S, N>& a, Moving<S, N>& b) noexcept {
@@ -87,7 +87,7 @@ constexpr void clamp_to_disc(std::array<Impulse, std::size_t{N - 1}>& impulse,
   }
 }
 
-/// Friction at the middle of a contact; in 3D also against twisting about its normal.
+/// Friction at the middle of a contact, in 3D also against twisting about its normal.
 template <Scalar S, int N>
 constexpr void solve_friction(const ReadyContact<S, N>& ready, BodyContact<S, N>& contact,
                               Moving<S, N>& a, Moving<S, N>& b) noexcept {

@@ -24,7 +24,7 @@ struct Inertia {
   }
 };
 
-/// The matrix `m` of a body's frame in the world: R m R^T, rounded after either product.
+/// Transforms the matrix `m` from a body's frame to the world: R m R^T, rounded after each product.
 template <Scalar S, int N, Number T>
 [[nodiscard]] constexpr Spread<T, N> in_world(const Spread<T, N>& m,
                                               const Axes<S, N>& axes) noexcept {
@@ -49,7 +49,7 @@ template <Scalar S, int N, Number T>
 
 /// The spin that keeps a body's angular momentum while its axes turn from `from` to `to`.
 ///
-/// Every product is rounded to a step of 2^-44, the result once more.
+/// Every product is rounded to steps of 2^-44, and the result once more.
 template <Scalar S>
 [[nodiscard]] constexpr Axial<typename Formats<S>::Spin, 3> carried(
     const Axial<typename Formats<S>::Spin, 3>& spin, const Axes<S, 3>& from, const Axes<S, 3>& to,

@@ -11,7 +11,7 @@ namespace detent {
 
 namespace detail {
 
-/// Stands for the callables that a world passes to `Threads`.
+/// An example of the callables that a world passes to `Threads`.
 struct AnyCall {
   constexpr void operator()(std::size_t) const noexcept {}
 };
@@ -20,14 +20,14 @@ struct AnyCall {
 
 /// Runs parts of a step in parallel: `threads(count, f)` calls f(i) once for each i below `count`,
 /// on any threads in any order, and returns after all calls have, with their writes visible.
-/// Usually your thread pool; `f` lives until `threads` returns, and throws nothing unless memory
+/// Usually this is your thread pool. `f` lives until `threads` returns, and throws only if memory
 /// runs out.
 template <class T>
 concept Threads = std::invocable<T&, std::size_t, const detail::AnyCall&>;
 
 namespace detail {
 
-/// Runs all on the calling thread.
+/// Runs everything on the calling thread.
 struct OneThread {
   static constexpr bool are_many = false;
 
@@ -39,8 +39,8 @@ struct OneThread {
   }
 };
 
-/// Runs large loops on the caller's threads, in calls of so many elements each, and small loops on
-/// this one.
+/// Runs loops of more than `a_call` elements on the caller's threads, in calls of `a_call` elements
+/// each, and shorter loops on this thread.
 template <Threads T>
 struct ManyThreads {
   static constexpr bool are_many = true;

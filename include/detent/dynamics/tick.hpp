@@ -29,11 +29,11 @@
 
 namespace detent::detail {
 
-/// How many contacts a world with room for so many bodies has room for.
+/// The contact capacity of a world with this body capacity.
 [[nodiscard]] constexpr std::size_t contact_room(std::size_t bodies) noexcept { return 8 * bodies; }
 
-/// What one step of a world needs besides its state. Nothing of it outlives the step, so copies of a
-/// world, as a rollback makes in every frame, leave it out.
+/// The scratch data of one step of a world. It does not outlive the step, so copies of a world,
+/// which a rollback makes in every frame, omit it.
 ///
 /// `Parts` are the world's shapes and joints.
 template <class Storage, Scalar S, int N, class... Parts>
@@ -61,10 +61,10 @@ class Tick {
   constexpr Tick(const Tick&) noexcept {}
   constexpr Tick& operator=(const Tick&) noexcept { return *this; }
 
-  /// One step. Returns whether it has changed nothing, so that the next one would not either.
+  /// One step. Returns whether it changed nothing, in which case the next one would not either.
   ///
-  /// What `threads` may run at once writes to elements of its own only: contacts of a colour share no
-  /// body that can move.
+  /// Parallel calls write only to their own elements: contacts of one colour share no body that can
+  /// move.
   template <class Threads>
   constexpr bool run(Bodies& bodies, Contacts& contacts, Joints& joints, const Pace<S, N>& pace,
                      int substeps, const S& margin, const Threads& threads) {
@@ -157,7 +157,8 @@ class Tick {
     });
   }
 
-  /// Calls f(begin, end) for ranges of bodies: one at a time, or as many as make some fours.
+  /// Calls f(begin, end) for ranges of bodies: of one body, or of 32 where four are processed at
+  /// once.
   template <class Threads, class Visit>
   static constexpr void each_block(const Bodies& bodies, const Threads& threads, const Visit& f) {
     constexpr std::size_t size = 32;
@@ -169,7 +170,7 @@ class Tick {
     }
   }
 
-  /// Records where bodies are, if one of them is fast.
+  /// Records the poses of bodies, if one of them is fast.
   constexpr bool note_starts(const Bodies& bodies) {
     starts_.clear();
     bool has_fast = false;
@@ -184,8 +185,8 @@ class Tick {
     return body.is_fast && body.generation != 0 && body.can_move();
   }
 
-  /// Stops fast bodies on their paths through this tick, before other bodies in the order of their
-  /// ranks. The last stop counts: fixed bodies come last.
+  /// Stops fast bodies on their paths through this tick, for the other bodies in the order of their
+  /// ranks. The last stop counts, so fixed bodies come last.
   constexpr void stop_fast(Bodies& bodies, const S& margin) {
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
       if (!is_fast(bodies[i])) continue;
@@ -207,7 +208,7 @@ class Tick {
     if (body.motion == BodyMotion::fixed) return 3;
     return body.motion == BodyMotion::kinematic ? 2 : is_fast(body) ? 0 : 1;
   }
-  /// The radius of a ball about the body's center that is within one of its shapes, or 0.
+  /// The radius of a ball about the body's center that lies inside one of its shapes, or 0.
   static constexpr S inner_radius_of(const Body& body) noexcept {
     return body.shape.visit([]<class Mine>(const Mine& mine) {
       S radius{};
@@ -302,8 +303,8 @@ class Tick {
     if (pairs_.size() != 0) std::sort(&pairs_[0], &pairs_[0] + pairs_.size());
   }
 
-  /// The contacts of this tick, in order of their bodies, with the impulses of the last. On several
-  /// threads each block of pairs has its own list, and the lists are concatenated in order.
+  /// The contacts of this tick, in order of their bodies, with the impulses of the last one. On
+  /// several threads each block of pairs has its own list, and the lists are concatenated in order.
   template <class Threads>
   constexpr void touch(const Bodies& bodies, const Contacts& before, const S& reach,
                        const typename F::Lever& margin, const Threads& threads) {
@@ -475,8 +476,8 @@ class Tick {
     return true;
   }
 
-  /// The contacts of a surface, the first or the second of the pair, and a solid. `before` has the
-  /// contacts of the last tick; those of these bodies are at `old` or later.
+  /// The contacts of a surface, which is the first or the second of the pair, and a solid. `before`
+  /// has the contacts of the last tick; those of these bodies are at `old` or later.
   template <class Terrain, class Solid>
   constexpr void touch_terrain(const Bodies& bodies, ContactKey key, const Terrain& terrain,
                                const Placed<Solid>& solid, bool is_first, const Contacts& before,
@@ -513,7 +514,7 @@ class Tick {
     out.manifolds.push_back(found);
   }
 
-  /// Whether one of two bodies is a sensor, so that nothing is pushed.
+  /// Whether one of two bodies is a sensor, so that neither is pushed.
   static constexpr bool is_sensed(const Bodies& bodies, std::uint32_t a, std::uint32_t b) noexcept {
     return bodies[a].is_sensor || bodies[b].is_sensor;
   }
@@ -535,7 +536,7 @@ class Tick {
     return {a == nullptr ? nullptr : &a->parts()[contact.member],
             b == nullptr ? nullptr : &b->parts()[a == nullptr ? contact.member : contact.part]};
   }
-  /// A contact with a sensor: whether they overlap.
+  /// A contact with a sensor: it records only whether they overlap.
   static constexpr ContactState sensed(const ContactKey& key,
                                        const Manifold<S, N>& manifold) noexcept {
     auto contact = continued(key, manifold, nullptr);
@@ -577,7 +578,7 @@ class Tick {
     }
   }
 
-  /// An island with a body that is awake, or that a moving kinematic body touches, is awake.
+  /// Wakes islands: one is awake if one of its bodies is, or touches a moving kinematic body.
   constexpr void wake(Bodies& bodies, const Joints& joints) {
     islands_.reset(bodies.size());
     const auto join = [&](std::uint32_t a, std::uint32_t b) {
@@ -627,7 +628,7 @@ class Tick {
       ++start[static_cast<std::size_t>(colour) + 1];
     }
     for (std::size_t c = 0; c < colours; ++c) start[c + 1] += start[c];
-    ready_.resize(start[colours]);  // most of its numbers are set when a contact is prepared
+    ready_.resize(start[colours]);  // filled when contacts are prepared
     for (std::size_t i = 0; i < found_.contacts.size(); ++i) {
       if (colour_[i] == asleep) continue;
       auto& ready = ready_[start[colour_[i]]++];
@@ -641,7 +642,7 @@ class Tick {
     return start;
   }
 
-  /// Calls f for each awake contact in order of colours; those of one colour in parallel.
+  /// Calls f for each awake contact in order of colours, in parallel for those of one colour.
   template <class Threads, class Visit>
   constexpr void for_each_ready(const ColourEnds& ends, const Threads& threads, const Visit& f) {
     const auto visit = [&](std::size_t i) { f(ready_[i]); };
@@ -655,8 +656,8 @@ class Tick {
     OneThread().each(first, ready_.size(), 1, visit);
   }
 
-  /// Makes groups of the contacts of each colour but the last, without their rows, if that is faster
-  /// here.
+  /// Groups the contacts of each colour except the last, without their rows, if this machine has
+  /// vectors.
   constexpr void group_all(const ColourEnds& ends) requires(has_groups) {
     // Groups have no rows for rolling.
     are_grouped_ = runs_vectors() && rolling_.size() == 0;
@@ -676,7 +677,7 @@ class Tick {
       }
     }
   }
-  /// Prepares the contacts of a group, at once if no number is clamped.
+  /// Prepares the contacts of a group: at once, or one by one if a number must be clamped.
   constexpr void prepare_group(const Bodies& bodies, ContactGroup<S>& group) requires(has_groups) {
     FourContacts<S> from;
     auto* ready = &ready_[group.first];
@@ -716,8 +717,8 @@ class Tick {
     }
   }
 
-  /// Solves each contact that is awake in order of colours: `together` a group of them, or `alone`
-  /// one, which is also for groups that `together` refuses.
+  /// Solves awake contacts in order of colours: `together` solves a group, `alone` a single
+  /// contact, and each contact of a group that `together` refuses.
   template <class Threads, class Together, class Alone>
   constexpr void solve_each(const ColourEnds& ends, const Threads& threads,
                             const Together& together, const Alone& alone) {
@@ -805,13 +806,13 @@ class Tick {
       }
     }
     if (is_fixed<S> && friction[0] == friction[1] && friction[0] >= 0) {
-      ready.grip = saturate_to<Ratio>(friction[0]);  // of a finer grid
+      ready.grip = saturate_to<Ratio>(friction[0]);  // from a finer grid
     } else {
       ready.grip = sqrt_floor<Ratio>(friction[0] * friction[1]);
     }
     ready.bounce = saturate_to<Ratio>((max)(restitution[0], restitution[1]));
   }
-  /// The rates of a contact that bounces, at the start of the tick.
+  /// Records the rates of a contact that bounces, at the start of the tick.
   constexpr void note_closing(ReadyContact<S, N>& ready) const noexcept {
     if (ready.bounce == 0) return;
     for (std::size_t k = 0; k < ready.count; ++k) {
@@ -821,8 +822,8 @@ class Tick {
     }
   }
 
-  /// Turns bodies by their spins, half-way or to their new orientation, and carries the spins of those
-  /// that tumble; four at once where that is faster.
+  /// Turns bodies by their spins, half-way or to their new orientation, and carries the spins of
+  /// those that tumble, four at once where this machine has vectors.
   template <int Halvings>
   struct Turner {
     struct Nothing {};
@@ -853,7 +854,7 @@ class Tick {
     }
 
    private:
-    /// Goes on with a body's orientation.
+    /// Continues once a body's new orientation is known.
     constexpr void turned_to(std::size_t i, const auto& orientation) {
       Body& body = bodies[i];
       if constexpr (Halvings == 0) body.state.orientation = orientation;
@@ -989,14 +990,14 @@ class Tick {
     }
   }
 
-  /// Whether no body moves by itself.
+  /// Whether no body moves on its own.
   static constexpr bool stands_still(const Bodies& bodies) noexcept {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (is_awake(bodies[i]) || is_driven(bodies[i])) return false;
     }
     return true;
   }
-  /// Whether the contacts found are the same as in the last tick.
+  /// Whether the contacts are those of the last tick.
   constexpr bool have_stayed(const Contacts& before) const noexcept {
     if (before.size() != found_.contacts.size()) return false;
     for (std::size_t i = 0; i < before.size(); ++i) {
@@ -1025,7 +1026,7 @@ class Tick {
   static constexpr bool is_awake(const Body& body) noexcept {
     return body.generation != 0 && body.can_move() && !body.sleeps;
   }
-  /// A kinematic body that moves.
+  /// Whether a body is kinematic and moves.
   static constexpr bool is_driven(const Body& body) noexcept {
     return body.generation != 0 && body.motion == BodyMotion::kinematic &&
            !(body.state.velocity == Vec<typename F::Speed, N>() &&
@@ -1038,7 +1039,8 @@ class Tick {
   static constexpr std::uint8_t asleep = 0xff;
   static constexpr std::size_t pair_room = 4 * contacts_room;
 
-  // How much one call of a thread does: some microseconds, so that waiting for others costs less.
+  // The work of one call on a thread: some microseconds, so that waiting for other threads costs
+  // less.
   static constexpr std::size_t bodies_a_call = 64;
   static constexpr std::size_t pairs_a_call = 32;
   static constexpr std::size_t contacts_a_call = 32;
@@ -1051,13 +1053,13 @@ class Tick {
   List<SweepEntry<S, N>, bodies_room> swept_;
   List<std::uint32_t, bodies_room> lane_;
   List<BodyPair, pair_room> pairs_;
-  List<BodyPair, 0> unordered_pairs_;  // of worlds that grow
+  List<BodyPair, 0> unordered_pairs_;  // for growing worlds
   Search found_;
-  List<Search, 0> searches_;  // of worlds that grow, on several threads
+  List<Search, 0> searches_;  // for growing worlds, on several threads
   List<ReadyContact<S, N>, contacts_room> ready_;
   List<Rolling<S, N>, has_round ? contacts_room : 0> rolling_;  // empty if no body resists it
   List<std::conditional_t<is_fixed<S> && N == 3, ContactGroup<S>, char>, 0>
-      groups_;  // of worlds that grow, on machines with long lanes
+      groups_;  // for growing worlds, on machines with long lanes
   std::array<std::uint32_t, colours - 1> group_ends_{};
   bool are_grouped_ = false;
   List<std::uint8_t, contacts_room> colour_;

@@ -36,9 +36,9 @@ struct TouchEvent {
 /// `BoundedWorld<Bounded<64>, q16_16, 3, Sphere>` for one that never allocates. Joints are named with
 /// the shapes, `World<q16_16, 3, Sphere, BallJoint, HingeJoint>`; others cost nothing.
 ///
-/// A step is a function of the bodies, the joints, their ids and their contacts: the bits do not
-/// depend on the order in which bodies were added and removed, or on whether the world was restored
-/// from a snapshot. docs/dynamics.md defines every number of a step and where it is rounded.
+/// A step depends only on the bodies, the joints, their ids and their contacts, not on the order in
+/// which bodies were added and removed, or on whether the world was restored from a snapshot.
+/// docs/dynamics.md defines every number of a step and where it is rounded.
 ///
 /// units:  lengths in world units, times in seconds, angles in radians
 /// domain: scalars with up to 31 bits; ticks per second times substeps in [1, 32767]
@@ -95,8 +95,8 @@ class BasicWorld {
     return put(id, shape, options) ? std::optional(id) : std::nullopt;
   }
 
-  /// Adds a body with an id of the caller, such as one that a removed body had. False if the index
-  /// is in use or beyond the world's room, or for a compound as above.
+  /// Adds a body with an id chosen by the caller, such as that of a removed body. False if the
+  /// index is in use or beyond the world's capacity, or for a compound as above.
   template <detail::Among<Parts...> Shape>
   requires(!detail::IsJoint<Shape>) constexpr bool put(const BodyId& id, const Shape& shape,
                                                        const Options& options = {}) {
@@ -181,8 +181,8 @@ class BasicWorld {
     const auto id = joints_.vacant();
     return put(id, joint) ? std::optional(id) : std::nullopt;
   }
-  /// Adds a joint with an id of the caller. False if the index is in use or beyond the world's
-  /// room, or if a body does not exist.
+  /// Adds a joint with an id chosen by the caller. False if the index is in use or beyond the
+  /// world's capacity, or if a body does not exist.
   template <detail::Among<Parts...> Joint>
   requires detail::IsJoint<Joint>
   constexpr bool put(const JointId& id, const Joint& joint) {
@@ -229,7 +229,7 @@ class BasicWorld {
     return joints_.broken[i];
   }
 
-  /// A point of the world in the frame of a body, rounded to nearest: an anchor of a joint.
+  /// A point given in the world, in the frame of a body, rounded to nearest: an anchor of a joint.
   [[nodiscard]] constexpr Vec<S, N> local_point(const BodyId& id,
                                                 const Vec<S, N>& point) const noexcept {
     const Body* body = find(id);
@@ -239,7 +239,7 @@ class BasicWorld {
     return make_vec<N>(
         [&](int i) { return saturate_to<S>(dot(axes[static_cast<std::size_t>(i)], from)); });
   }
-  /// Axes of the world in the frame of a body, rounded to nearest: a frame of a joint.
+  /// Axes given in the world, in the frame of a body, rounded to nearest: a frame of a joint.
   [[nodiscard]] constexpr Rotation<S, N> local_frame(const BodyId& id,
                                                      const Rotation<S, N>& frame) const noexcept {
     return compose(inverse(rotation(id)), frame);
@@ -289,13 +289,14 @@ class BasicWorld {
     });
     return result;
   }
-  /// Units per second, rounded to nearest and clamped.
+  /// The velocity in units per second, rounded to nearest and clamped; 0 without such a body.
   [[nodiscard]] constexpr Vec<S, N> velocity(const BodyId& id) const noexcept {
     const Body* body = find(id);
     if (body == nullptr) return {};
     return make_vec<N>([&](int i) { return per_second(body->state.velocity[i]); });
   }
-  /// Radians per second, rounded to nearest and clamped.
+  /// The angular velocity in radians per second, rounded to nearest and clamped; 0 without such a
+  /// body.
   [[nodiscard]] constexpr detail::Axial<S, N> angular_velocity(const BodyId& id) const noexcept {
     detail::Axial<S, N> result{};
     const Body* body = find(id);
@@ -326,8 +327,8 @@ class BasicWorld {
   /// Changes velocity and spin at once, by an impulse at the point `at` of the world, and wakes the
   /// body. Ignored for bodies that are not dynamic or have no mass.
   ///
-  /// units:  impulse in units of mass times units per second; `at` within 512 units of the center
-  ///         along each axis, farther ones count as there
+  /// units:  impulse in units of mass times units per second; `at` is clamped to 512 units from the
+  ///         center along each axis
   /// exact:  each component of the changes rounded once   (docs/dynamics.md, tests/dynamics/push.test.cpp)
   constexpr void apply_impulse(const BodyId& id, const Vec<S, N>& impulse,
                                const Vec<S, N>& at) noexcept {
@@ -402,7 +403,7 @@ class BasicWorld {
     const Body& body = bodies_[id.index];
     return body.generation == id.generation ? &body : nullptr;
   }
-  /// For modification.
+  /// The body with this id, to be modified, or nullptr.
   [[nodiscard]] constexpr Body* find(const BodyId& id) noexcept {
     is_still_ = false;
     const BasicWorld& self = *this;
@@ -454,7 +455,7 @@ class BasicWorld {
     return saturate_to<S>(x * detail::as_operand<S>(pace_.rate));
   }
 
-  /// A pair touches if one of its contacts does.
+  /// Updates the events. A pair touches if one of its contacts does.
   constexpr void note_events() {
     const auto& before = tick_.contacts_before();
     std::size_t i = 0, j = 0;
@@ -496,7 +497,7 @@ class BasicWorld {
   std::size_t size_ = 0;
   typename Storage::template List<TouchEvent, 2 * Tick::contacts_room> events_;
   Tick tick_;
-  // Neither the last step nor a call since changed anything, so no further step will.
+  // Neither the last step nor a call since then changed anything, so no further step will.
   bool is_still_ = false;
 };
 
@@ -550,7 +551,7 @@ struct WorldAccess {
   }
 
  private:
-  /// A world that may be modified is no longer at rest.
+  /// Marks the world as modified, so that the next step runs.
   template <class World>
   static constexpr void stir(World& world) noexcept {
     if constexpr (!std::is_const_v<World>) world.is_still_ = false;

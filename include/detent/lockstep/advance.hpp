@@ -13,8 +13,8 @@
 namespace detent {
 
 /// The number of frames for which one player's inputs are known; all, once its departure is agreed.
-/// Players never agree on fewer inputs than one of them holds, so a spectator only counts inputs
-/// that all other players hold.
+/// The agreed end is never below what a remaining player holds, so a player uses all inputs it has;
+/// a spectator counts only inputs that all other players hold.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 std::uint32_t Session<World, Input, Limits>::known_of(std::size_t player) const {
   if (members_.end(player)) return last_frame + lead;

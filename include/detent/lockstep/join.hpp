@@ -15,15 +15,15 @@
 //
 // * The word is in the input of frame f; the player takes part from frame f + `notice` on. Every
 //   peer that knows all inputs of frame f acts on it before it simulates frame f + `notice`,
-//   because
-//   predictions reach `prediction` <= 16 frames beyond the known inputs.
+//   because predictions reach at most `prediction` <= 16 frames beyond the known inputs.
 // * It counts only if the seat is free in frame f. All peers that know that frame agree on this.
-// * A guest holds no input that some player does not hold. So no player can have agreed on another
-//   player's end without the guest and hold less: the argument in members.hpp still holds.
+// * A guest holds only inputs that some player also holds. So players that agree on a dropped
+//   player's end without the guest hold at least its inputs: the argument in members.hpp still
+//   holds.
 
 namespace detent {
 
-/// Takes the inputs that give seats, once all inputs of their frame are known.
+/// Acts on inputs that give seats, once all inputs of their frame are known.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::admit() {
   std::uint32_t end = 0;

@@ -93,23 +93,23 @@ struct FieldDigests {
 /// The state that a late or returning peer sends about itself.
 struct JoinState {
   std::uint32_t life = 0;   // greater than in its earlier sessions
-  bool wants_seat = false;  // and has none
-  bool is_loaded = false;   // it has the world before frame `start`, otherwise it asks for one:
+  bool wants_seat = false;  // it wants a seat and has none
+  bool is_loaded = false;   // it has the world before frame `start`; if not, it requests one:
   std::uint32_t start = 0;
-  std::size_t source = 0;   // the player that it asks
-  std::uint32_t frame = 0;  // of the snapshot that it has slices of
+  std::size_t source = 0;   // the player from which it requests a snapshot
+  std::uint32_t frame = 0;  // of the snapshot whose slices it has
   std::uint32_t first = 0;  // it has all slices before this one
-  std::uint32_t later = 0;  // and these of the 32 behind it, a bit each
+  std::uint32_t later = 0;  // which of the 32 slices after `first` it has, a bit each
 };
 
 /// A part of a snapshot.
 struct Slice {
-  std::uint32_t frame = 0;   // the snapshot is of the match before this frame,
-  std::uint32_t total = 0;   // has so many bytes
-  std::uint64_t digest = 0;  // and this XXH64
+  std::uint32_t frame = 0;   // the snapshot is of the match before this frame
+  std::uint32_t total = 0;   // bytes of the snapshot
+  std::uint64_t digest = 0;  // XXH64 of the snapshot
   std::uint32_t index = 0, size = 0;
-  std::span<const std::byte> bytes;  // to write
-  BitReader bits;                    // that was read
+  std::span<const std::byte> bytes;  // of a slice to send
+  BitReader bits;                    // of a slice that was received
 };
 
 /// The state of its sender.
@@ -130,7 +130,7 @@ struct Packet {
   /// The most bytes of a packet with a slice but without inputs, excluding the slice.
   static constexpr std::size_t slice_room = 160;
 
-  /// Everything except the inputs of the runs, which `write_run(out, run)` appends.
+  /// Writes everything; `write_run(out, run)` appends the inputs of a run.
   template <class WriteRun>
   constexpr void write(BitWriter& out, std::size_t players,
                        const WriteRun& write_run) const noexcept {

@@ -33,15 +33,15 @@ struct Peer {
   std::uint32_t proofs_left = 600;                 // packets with evidence of a desync
   std::uint32_t life = 0;                          // of its session
   bool is_guest = false;            // it joined late, and gets all inputs although it does not play
-  bool awaits_life = false;         // it has a seat again, and has not been heard since
+  bool awaits_life = false;         // it got a seat again, and has not been heard since
   bool is_started = false;          // for a late peer: it has loaded a world
-  JoinState join;                   // its last join state before that
+  JoinState join;                   // its last join state before it loaded a world
   std::uint32_t invited_until = 0;  // no second invitation before this frame
   TimeSync sync;
   Comparison comparison;
   FieldSearch search;
 
-  /// Takes only values that grow, so packets may arrive in any order.
+  /// Takes the values of a packet. They only grow, so packets may arrive in any order.
   constexpr void hear(const Packet& packet, std::size_t players) noexcept {
     for (std::size_t i = 0; i < players; ++i) held[i] = (std::max)(held[i], packet.held[i]);
     if (packet.frame < frame) return;

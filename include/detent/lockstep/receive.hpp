@@ -52,7 +52,8 @@ void Session<World, Input, Limits>::apply(std::size_t from, const detail::Packet
   peer.hear(packet, config_.players);
   if (peer.is_paused != was_paused) tell(peer.is_paused ? Kind::paused : Kind::resumed, from);
   if (from < config_.players && !peer.is_guest) {
-    // The terms that we know; a player whose term it saw end was dropped in that term.
+    // Only drops in the current terms count. If the sender knows a later term of a player, that
+    // player was dropped in the current one.
     std::uint32_t dropped = 0;
     for (std::size_t i = 0; i < config_.players; ++i) {
       const auto bit = 1u << i;

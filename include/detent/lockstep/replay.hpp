@@ -115,8 +115,7 @@ class ReplayWriter : detail::ReplayFormat {
     if (++frames_ == every_ || bits_ + worst_frame > 8 * capacity) end(world, sink);
   }
 
-  /// Ends a block now, with the world after its last frame. Call it at the latest at the end of a
-  /// match.
+  /// Ends a block now, with the world after its last frame. Call it at least at the end of a match.
   template <RollbackWorld World, class Sink>
   constexpr void end(const World& world, const Sink& sink) {
     if (frames_ == 0) return;
@@ -143,7 +142,7 @@ class ReplayWriter : detail::ReplayFormat {
   std::array<std::byte, block_head + capacity + sum> block_{};
 };
 
-/// Whether bytes are a replay, and how it ends.
+/// Whether bytes are a replay, and how far they can be read.
 enum class ReplayState : std::uint8_t {
   whole,          // every byte was read
   cut,            // the last block is incomplete: its writer was stopped
@@ -258,8 +257,8 @@ class ReplayReader : detail::ReplayFormat {
 struct ReplayCheck {
   ReplayState state{};  // of the replay: `cut` and `corrupted` ones are checked up to that point
   std::uint32_t frames = 0;  // simulated
-  std::uint32_t equal = 0;   // the first so many match the recorded digest after the last of them
-  bool is_equal = true;      // otherwise the first frame that differs is one of `equal` to `frames`
+  std::uint32_t equal = 0;   // the first `equal` frames match the recorded digest after them
+  bool is_equal = true;      // if not, the first frame that differs is one of `equal` to `frames`
 };
 
 /// Simulates a replay from a world that the caller restored from its snapshot, up to the first

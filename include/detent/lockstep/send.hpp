@@ -39,7 +39,7 @@ bool Session<World, Input, Limits>::is_due(std::size_t to, std::uint64_t now) {
   detail::Peer& peer = peers_[to];
   if (!peer.is_sent && !peer.is_heard)
     peer.last_heard = now;  // so that a peer that never appears becomes silent
-  // A dropped player drops nobody: the remaining peers tell it.
+  // A peer that was dropped itself sends no notices: the remaining peers do.
   if (!is_met(to)) return peer.owes_notice && !is_expelled_;
   if (!peer.is_silent && detail::elapsed(now, peer.last_heard) >= config_.silence) {
     peer.is_silent = true;

@@ -38,8 +38,8 @@ concept SnapshotWorld = requires(World& world, const World& from, std::span<std:
 /// The result of `Session::receive`.
 enum class Received : std::uint8_t {
   yes,
-  other_match,  // or damaged, of another version or not from this peer
-  malformed,    // no session sends such a packet; nothing of it was used
+  other_match,  // of another match, version or peer, or damaged
+  malformed,    // no session sends such a packet; it was ignored
   dropped,      // its sender was dropped
 };
 
@@ -202,7 +202,7 @@ class Session {
   static constexpr std::uint32_t notice = 32;  // frames from giving a seat to taking it
   static constexpr bool can_serve = Limits.snapshot > 0 && SnapshotWorld<World>;
   static_assert(Limits.snapshot == 0 || SnapshotWorld<World>,
-                "who comes late needs snapshot(world, room) and restore(world, bytes)");
+                "a late joiner needs snapshot(world, room) and restore(world, bytes)");
   static constexpr std::size_t slice_size = Limits.packet - detail::Packet::slice_room;
   static constexpr std::size_t most_peers_mark = 15;  // no source yet
 
@@ -267,7 +267,7 @@ class Session {
   std::uint64_t simulated_ = 0;
   detail::Outgoing<Limits.snapshot, slice_size> outgoing_;
   detail::Incoming<Limits.snapshot, slice_size> incoming_;
-  std::optional<std::size_t> source_;  // the player that we ask for a snapshot
+  std::optional<std::size_t> source_;  // the player from which we request a snapshot
   std::uint64_t progress_ = 0;         // when the last slice arrived
   std::uint32_t start_ = 0;
   std::uint32_t admitted_ = 0;  // frames whose words are read

@@ -14,7 +14,7 @@ namespace detent::detail {
 /// by the latency; half their difference cancels it. Both are smoothed over about 16 frames.
 class TimeSync {
  public:
-  /// Counts a frame: `ahead` is our frame minus the last one heard of.
+  /// Counts a frame: `ahead` is our frame minus the other peer's last known one.
   constexpr void count(std::int32_t ahead) noexcept {
     ours_ += (std::clamp(ahead, -limit, limit) * unit - ours_) / smoothing;
   }

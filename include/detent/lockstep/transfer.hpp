@@ -20,7 +20,7 @@ class Outgoing {
  public:
   /// The storage for a new snapshot.
   [[nodiscard]] constexpr std::span<std::byte> room() noexcept { return bytes_; }
-  /// Sends the first `total` bytes of `room` from now on: a match before `frame`, for a life of a
+  /// From now on sends the first `total` bytes of `room`: a match before `frame`, for one life of a
   /// peer.
   constexpr void start(std::size_t to, std::uint32_t life, std::uint32_t frame, std::size_t total) {
     to_ = to;
@@ -70,8 +70,8 @@ class Outgoing {
   std::uint64_t digest_ = 0;
 };
 
-/// A snapshot received in slices, in any order. Any slices may arrive: at worst they make it start
-/// over.
+/// A snapshot received in slices, in any order. Slices may contain anything: at worst the transfer
+/// starts over.
 template <std::size_t Room, std::size_t Size>
 class Incoming {
  public:

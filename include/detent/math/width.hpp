@@ -42,8 +42,8 @@ template <int Bits, Number T, int N>
 /// f(x...), computed in narrower integers if all operands, numbers or vectors, fit `Bits`.
 ///
 /// A formula that needs 256 bits for the whole domain needs 128 for operands of ordinary size. `f`
-/// is exact in both, so the width only changes the time; where code must be small, it is compiled
-/// for the whole domain alone.
+/// is exact in both, so the width only changes the time. Small code has only the form for the whole
+/// domain.
 template <int Bits, class F, class... Operands>
 [[nodiscard]] constexpr auto by_width(const F& f, const Operands&... x) noexcept {
   if constexpr (has_filters) {

@@ -36,8 +36,8 @@ struct Precise<Fixed<Bits, Frac>> {
   using Ratio = Fixed<62, 60>;
 };
 
-/// 2 pi and 1 / 2 pi, with the most bits for which products with a scalar fit 128 bits. Every such
-/// product is rounded correctly (tests/number/angle.test.cpp: "constants").
+/// 2 pi and 1 / (2 pi), with as many bits as allow products with a scalar to fit 128 bits. Every
+/// such product is rounded correctly (tests/number/angle.test.cpp: "constants").
 inline constexpr auto two_pi = Fixed<94, 91>::assume_raw(
     integer_cast<Int128>(Wide<2>::from_words({0x885a308d313198a3u, 0x3243f6a8u})));
 inline constexpr auto turns_per_radian = Fixed<95, 97>::assume_raw(
@@ -130,7 +130,7 @@ class Angle<Fixed<Bits, Frac>> {
 };
 
 #if __STDC_HOSTED__
-/// Radians. Inputs and sums are reduced to [-pi, pi], without promises.
+/// An angle in radians. Inputs and sums are reduced to [-pi, pi], without promises.
 template <Scalar S>
 requires std::floating_point<S>
 class Angle<S> {

@@ -95,7 +95,7 @@ constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
   return {join(q), join(u)};
 }
 
-/// high 2^64 + low divided by d > high.
+/// (high * 2^64 + low) / d and the remainder, for d > high.
 [[nodiscard]] constexpr WordDivision<std::uint64_t> divide_word(std::uint64_t high,
                                                                 std::uint64_t low,
                                                                 std::uint64_t d) noexcept {
@@ -107,8 +107,9 @@ constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
 
 /// `divide_long` of two words, without arrays of digits; denominator > 0.
 ///
-/// source: Hacker's Delight, 9-5, udivdi3: a quotient estimated from the leading word of the
-/// denominator is the right one or one more, so one less needs at most one correction.
+/// source: Hacker's Delight, 9-5, udivdi3: the quotient estimated from the leading word of the
+///         denominator is right or one too large, so the estimate minus one needs at most one
+///         correction.
 [[nodiscard]] constexpr Division<Wide<2>> divide_two_words(const Wide<2>& numerator,
                                                            const Wide<2>& denominator) noexcept {
   const std::uint64_t high = numerator.word(1), low = numerator.word(0);
@@ -180,8 +181,9 @@ template <class Int>
 /// floor(numerator / denominator) for numerator >= 0, denominator > 0 and a quotient below 2^32;
 /// the denominator's type may be narrower.
 ///
-/// Let n and d be the leading bits, 32 of the denominator. Then q = floor(n / (d + 1)) is too small
-/// by at most 4. It is correct if n - q d leaves room for the dropped bits.
+/// Let d be the leading 32 bits of the denominator, and n the numerator without as many low bits.
+/// Then q = floor(n / (d + 1)) is too small by at most 4. It is correct if n - q d leaves room for
+/// the dropped bits.
 template <class N, class D>
 [[nodiscard]] constexpr std::int64_t short_quotient(const N& numerator,
                                                     const D& denominator) noexcept {

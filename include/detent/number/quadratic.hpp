@@ -45,8 +45,8 @@ class Quadratic {
       return t;
     }
   }
-  /// The same as `t`; false if there is none. Where the root is then stored, an optional number would
-  /// be read again as soon as it is written, which stalls.
+  /// The same, written to `t`; returns false if there is none. Faster for callers that store the
+  /// root: reading an optional that was just written stalls.
   template <Scalar T>
   [[nodiscard]] constexpr bool find_first_root(const T& limit, T& t) const noexcept {
     if constexpr (is_fixed<T> && !has_filters) {

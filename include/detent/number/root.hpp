@@ -75,7 +75,7 @@ constexpr std::uint32_t reciprocal_root_guess(std::uint64_t a) noexcept {
   return (chord >> 12) - static_cast<std::uint32_t>(fall >> 16);
 }
 
-/// Whether multiplying words is one instruction, and a table worth its bytes.
+/// Whether a product of words is one instruction, so that the table is worth its size.
 #if UINTPTR_MAX > 0xffffffff
 inline constexpr bool has_long_registers = true;
 #else

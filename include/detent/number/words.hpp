@@ -58,7 +58,7 @@ template <class T>
   }
 }
 
-// No loops: compilers make one access of bytes that are written out one by one, at -O2 too.
+// No loops: compilers merge accesses to single bytes that are written out, even at -O2.
 
 template <std::unsigned_integral W>
 constexpr void store_word(std::byte* to, W word) noexcept {

@@ -7,7 +7,7 @@
 
 namespace detent::detail {
 
-/// What stands for an asset in digests and differences: its id and digest, zeros for none.
+/// The key of an asset in digests and differences: its id and digest, zeros for none.
 struct AssetKey {
   std::uint32_t id = 0;
   std::uint64_t digest = 0;

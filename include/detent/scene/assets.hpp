@@ -19,7 +19,7 @@ concept AssetList = requires(const List& list) {
 
 namespace detail {
 
-/// The lists to look up a snapshot's references in.
+/// The lists in which a snapshot's references are looked up.
 template <AssetList... Lists>
 class AssetLists {
  public:

@@ -13,7 +13,7 @@
 
 namespace detent::detail {
 
-/// Writes the bytes that a digest would read, as far as there is room, and counts all of them.
+/// Writes the bytes that a digest would read, while there is room, and counts all of them.
 class Writer {
  public:
   Writer() noexcept = default;

@@ -100,13 +100,13 @@ class SceneContents {
     store_.remove(id.index);
     return true;
   }
-  /// Replaces an object's shape, by any listed type, in the world. Returns false for an object in a
-  /// frame: use `replace_local`.
+  /// Replaces an object's shape by one of any listed type, given in the world. Returns false for an
+  /// object in a frame: use `replace_local`.
   template <Among<Shapes...> Shape>
   constexpr bool replace(const ObjectId& id, const Shape& shape) {
     return frame_of(id) == FrameId{} && replace_local(id, shape);
   }
-  /// Replaces an object's shape, by any listed type, in its frame.
+  /// Replaces an object's shape by one of any listed type, given in the object's frame.
   template <Among<Shapes...> Shape>
   constexpr bool replace_local(const ObjectId& id, const Shape& shape) {
     if (!contains(id)) return false;
@@ -149,14 +149,13 @@ class SceneContents {
     if (!contains(id)) return std::nullopt;
     return store_.info(id.index);
   }
-  /// The object's shape in the world, when it is of this type.
+  /// The object's shape in the world, if it is of this type.
   template <Among<Shapes...> Shape>
   [[nodiscard]] constexpr std::optional<Shape> shape(const ObjectId& id) const noexcept {
     const auto* const record = store_.find(id);
     return record ? as<Shape>(record->shape) : std::nullopt;
   }
-  /// The object's shape in its frame, as given to `add` or `replace_local`, when it is of this
-  /// type.
+  /// The object's shape in its frame, as given to `add` or `replace_local`, if it is of this type.
   template <Among<Shapes...> Shape>
   [[nodiscard]] constexpr std::optional<Shape> local_shape(const ObjectId& id) const noexcept {
     const auto* const record = store_.find(id);

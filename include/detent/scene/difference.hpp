@@ -69,7 +69,7 @@ constexpr void for_each_place(const World& world, Fields which, const Visit& vis
   FieldWalk<decltype(visit_some)>(visit_some).walk(world);
 }
 
-/// The number of fields, and the digest of the names and values of `count` of them from `first` on.
+/// The number of fields, and a digest of the names and values of `count` fields from `first` on.
 struct FieldStretch {
   std::size_t field_count = 0;
   std::uint64_t digest = 0;

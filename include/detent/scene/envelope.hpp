@@ -10,8 +10,9 @@
 #include "detent/number/digest.hpp"
 #include "detent/scene/bytes.hpp"
 
-// What snapshots of scenes, worlds and particles share: a header that starts with a magic number, a
-// version, the dimension and the scalar, and the XXH64 of everything before it at the end.
+// The common format of snapshots of scenes, worlds and particles: a header that starts with a magic
+// number, a version, the dimension and the scalar, and at the end the XXH64 of everything before
+// it.
 
 namespace detent {
 
@@ -129,7 +130,8 @@ constexpr void store_envelope(std::byte* room, const Header& header) noexcept {
 }
 
 /// Writes a header, the bytes that `describe(writer)` writes, and the checksum; returns their
-/// number. If `room` is smaller, its contents are of no use. `describe` may still set the header.
+/// number. If `room` is smaller, its contents are unspecified. `describe` may still change the
+/// header.
 template <class Header, class Describe>
 constexpr std::size_t seal(std::span<std::byte> room, Header& header,
                            const Describe& describe) noexcept {

@@ -38,7 +38,7 @@ constexpr void for_each_field(const Transform<S, N>& transform, const F& f) {
   f("scale", transform.scale);
 }
 
-/// Of a shape: its fields, and the axes of a rotation one by one.
+/// The parts of a shape: its fields, and the axes of a rotation one by one.
 template <detail::ListsFields Shape, class F>
 constexpr void for_each_field(const Shape& shape, const F& f) {
   using Fields = detail::ShapeFields<Shape>;

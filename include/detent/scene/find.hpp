@@ -31,8 +31,9 @@ class Finder {
   explicit constexpr Finder(const Store<Storage, S, N, Shapes...>& store) noexcept
       : store_(store) {}
 
-  /// Visits the objects that overlap the query shape: calls visit(index). Tests candidates once more
-  /// than `most` wait: `most_waiting` for a visit that never stops, 0 for one that does.
+  /// Visits the objects that overlap the query shape: calls visit(index). Tests candidates once
+  /// more than `most` are collected: `most_waiting` for a visit that never stops, 0 for one that
+  /// may.
   template <class Question, class Filter, class Visit>
   constexpr void visit_meeting(const Question& question, const Filter& filter, const Visit& visit,
                                std::size_t most = 0) const {

@@ -95,7 +95,7 @@ class Store {
   }
 
   [[nodiscard]] constexpr const auto& frames() const noexcept { return frames_; }
-  /// For replacing the frames: every object attached to them must then be put again.
+  /// The frames, to be replaced: every object attached to them must then be put again.
   [[nodiscard]] constexpr auto& frames() noexcept { return frames_; }
   [[nodiscard]] constexpr const auto& tree(Motion motion) const noexcept {
     return motion == Motion::moving ? moving_ : fixed_;
@@ -283,7 +283,7 @@ class Store {
   constexpr void assign(std::uint32_t i, const Shape& shape) {
     Record& record = records_[i];
     if (record.attachment == nowhere) {
-      // The copy comes last: it loads whole vectors, which wait for numbers that were just stored.
+      // The copy comes last: it loads whole vectors, which stalls on numbers that were just stored.
       set_box(i, box_of(shape));
       record.shape = shape;
     } else {

@@ -18,7 +18,7 @@ namespace detent {
 struct Desync {
   std::uint64_t frame;             // from 0; the first that differs
   std::optional<ObjectId> object;  // the scene object that the field belongs to, if any
-  FieldName field;                 // the first that differs or is in one result only, such as
+  FieldName field;                 // the first that differs or is in only one result, such as
       // `scene object 3:17 (sphere) center.y`, `velocity[1].x` or `score`
 };
 

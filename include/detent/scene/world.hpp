@@ -109,8 +109,9 @@ constexpr void for_each_field(const BasicScene<Storage, S, N, Shapes...>& scene,
 
 namespace detail {
 
-/// How to digest a field with parts as a whole, faster than part by part: `add(all, fixed, value)`
-/// adds all of it, and the part that never moves. Not defined for most types.
+/// Digests a field with parts as a whole, which is faster than part by part: `add(all, fixed,
+/// value)` adds everything to `all`, and the part that never moves to `fixed`. Not defined for most
+/// types.
 template <class T>
 struct WholeDigest;
 

@@ -229,7 +229,7 @@ template <Scalar S, Number X>
   return nearest_to<S>(camera.pose.translation + offset);
 }
 
-/// The same for the middle of a pixel; for that of the image if the viewport has no pixel.
+/// The same for the middle of a pixel, or of the image if the viewport has no pixels.
 template <Scalar S>
 [[nodiscard]] constexpr Vec<S, 3> unproject(const Camera<S>& camera, const Viewport& viewport,
                                             std::int32_t column, std::int32_t row,
@@ -253,7 +253,7 @@ template <Scalar S, Number X>
   return detail::pick_ray(camera, detail::OnScreen{x, y, detail::one<S>});
 }
 
-/// The same for the middle of a pixel; for that of the image if the viewport has no pixel.
+/// The same for the middle of a pixel, or of the image if the viewport has no pixels.
 template <Scalar S>
 [[nodiscard]] constexpr Ray<S, 3> pick_ray(const Camera<S>& camera, const Viewport& viewport,
                                            std::int32_t column, std::int32_t row) noexcept {

@@ -51,8 +51,8 @@ class Frustum {
 
   /// Six half spaces that contain the hull: right, left, top, bottom, far, near.
   ///
-  /// A normal is rounded, and the reach is the exact maximum of dot(normal, corner). So each
-  /// contains all corners whatever the normal, and rounding cannot cut off a corner.
+  /// A normal is rounded, and the reach is the exact maximum of dot(normal, corner). Each half
+  /// space therefore contains all corners, and rounding cannot cut one off.
   [[nodiscard]] constexpr const std::array<detail::FrustumPlane<S>, 6>& planes() const noexcept {
     return planes_;
   }

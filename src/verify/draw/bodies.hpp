@@ -14,14 +14,14 @@
 
 namespace detent::verify {
 
-/// What a body or a part of one is. A hull and a compound are assets of the case.
+/// The kind of a body or a part. Hulls and compounds are assets of the case.
 enum class Form : std::uint8_t { ball, capsule, box, aligned, hull, compound };
 
 template <Scalar S, int N>
 struct DrawnBody {
   Form form = Form::box;
-  Vec<S, N> center{};  // of a hull or a compound where its frame is
-  Vec<S, N> half{};    // half extents, or half of the way from end to end
+  Vec<S, N> center{};  // of a hull or a compound: the origin of its frame
+  Vec<S, N> half{};    // half extents, or half the vector from end to end
   S radius{};
   Rotation<S, N> rotation{};
   std::uint8_t asset = 0;  // the number of the hull
@@ -54,13 +54,13 @@ class BodyStage : public Numbers<S> {
   constexpr S between_eighths(std::int64_t low, std::int64_t high) noexcept {
     return Base::scalar(random.between(eighths(low), eighths(high)));
   }
-  /// Each component up to so many eighths.
+  /// A vector with components of up to `reach` eighths.
   constexpr Vec<S, N> around(std::int64_t reach) noexcept {
     Vec<S, N> result;
     for (int i = 0; i < N; ++i) result[i] = between_eighths(-reach, reach);
     return result;
   }
-  /// Each component between two numbers of eighths.
+  /// A vector with components between `low` and `high` eighths.
   constexpr Vec<S, N> sizes(std::int64_t low, std::int64_t high) noexcept {
     Vec<S, N> result;
     for (int i = 0; i < N; ++i) result[i] = between_eighths(low, high);
@@ -76,7 +76,7 @@ class BodyStage : public Numbers<S> {
     return Base::rotation(Base::template turned_axes<N>());
   }
 
-  /// What a moving body is made of, and how it moves.
+  /// The material and initial motion of a moving body.
   constexpr BodyOptions<S, N> options() noexcept {
     BodyOptions<S, N> result;
     result.density = between_eighths(4, 32);
@@ -90,7 +90,7 @@ class BodyStage : public Numbers<S> {
   }
 };
 
-/// What a fixed body is made of.
+/// The material of a fixed body.
 template <Scalar S, int N>
 constexpr BodyOptions<S, N> fixed_options() noexcept {
   BodyOptions<S, N> result;

@@ -52,7 +52,7 @@ class Stage : public Numbers<S> {
     const auto far = length * sixteenths / 16;
     return random.between(-far, far);
   }
-  /// Inside, outside or exactly at the end of an extent, or one unit off.
+  /// Inside, outside or exactly at the end of an extent, or one unit off the end.
   constexpr std::int64_t face_or_part(std::int64_t half) noexcept {
     switch (random.below(8)) {
       case 0:

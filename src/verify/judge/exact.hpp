@@ -20,7 +20,7 @@ struct Wrong {
 };
 
 // Where the contract leaves a margin, errors exceed half a unit by so little that only values next
-// to a tie have two right results.
+// to a tie have two correct results.
 
 /// The maximum error for rotations, and for normals of spheres (in thousandths).
 inline const Real rotation_margin("0.5001");

@@ -216,7 +216,7 @@ std::optional<Wrong> judge(const LensCase<S, N>& c, const Answer& got) {
   for (int i = 0; i < 2; ++i) {
     const Real& exact = focal[static_cast<std::size_t>(i)];
     expected(i, i) = clamped<S>(nearest(exact));
-    // Next to a tie both neighbours are right.
+    // Next to a tie both neighbours are correct.
     if (!got) continue;
     const Real distance = abs(exact - Real(static_cast<std::int64_t>((*got)(i, i).raw())));
     if (distance <= rotation_margin) expected(i, i) = (*got)(i, i);

@@ -7,8 +7,8 @@
 
 namespace detent::verify::judge {
 
-/// Coordinate i of the point at `radius` from the core in direction v: the neighbouring integer
-/// that is proved to be nearest.
+/// Coordinate i of the point at `radius` from the core in direction v: of its neighbouring integers
+/// the one that is proved to be nearest.
 template <int N>
 Integer nearest_on_surface(const oracle::Nearest<N>& truth, const oracle::Vector<N>& v,
                            std::size_t i) {

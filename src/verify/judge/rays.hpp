@@ -28,7 +28,7 @@ bool allows(const oracle::Normal<N>& normal, const oracle::Raw<N>& given) {
   return normal.allows(given);
 }
 
-/// The right normal next to a wrong one, for the report.
+/// The correct normal next to a wrong one, for the report.
 template <Scalar S, int N>
 std::string normal_words(const oracle::Normal<N>& normal, const oracle::Raw<N>& given) {
   constexpr int reach = 4, side = 2 * reach + 1;

@@ -8,7 +8,7 @@
 #include "verify/describe_worlds.hpp"
 #include "verify/judge/exact.hpp"
 
-// A move of a character has many right results; the judge checks what each of them promises.
+// A move of a character has many correct results; the judge checks what all of them guarantee.
 
 namespace detent::verify::judge {
 

@@ -10,9 +10,9 @@
 #include "verify/describe_worlds.hpp"
 #include "verify/judge/exact.hpp"
 
-// What becomes of bodies is a long sum of roundings. The judge checks what must be true of any such
-// world: bodies do not pass through each other, momentum is kept, joints hold, snapshots change
-// nothing. The twin of tests/dynamics/twin computes every bit of the same worlds.
+// The final state of bodies depends on very many roundings. The judge checks properties of every
+// correct world: bodies do not pass through each other, momentum is conserved, joints hold, and
+// snapshots change nothing. The twin in tests/dynamics/twin computes every bit of the same worlds.
 
 namespace detent::verify::judge {
 
@@ -117,12 +117,12 @@ std::string fault_of(const SolidsCase<S, N>& c, const Played<S, N, 6>& got) {
   return overlap_of<6, N>(cores, 1);
 }
 
-/// What is wrong with joined boxes, on which nothing acts from outside, or nothing.
+/// What is wrong with joined boxes without external forces, or nothing.
 template <Scalar S, int N>
 std::string fault_of(const JointsCase<S, N>& c, const Played<S, N, 7>& got) {
   for (int k = 0; k < N; ++k) {
-    // Of raw numbers: exact masses times velocities. A velocity is rounded to the scalar's grid, and
-    // so many roundings in the solver move it by a few steps more.
+    // In raw numbers: exact masses times velocities. Velocities are rounded to the scalar's grid,
+    // and roundings in the solver change them by a few more steps.
     Integer before = 0, after = 0, masses = 0;
     for (std::size_t i = 0; i < got.bodies.size(); ++i) {
       const auto& body = c.bodies[i];

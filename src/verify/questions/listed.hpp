@@ -19,7 +19,7 @@ struct Listed {
   std::uint32_t count = 0;
 
   constexpr Listed() noexcept = default;
-  /// ask(room) is the query.
+  /// `ask(room)` runs the query.
   template <class Ask>
   explicit constexpr Listed(const Ask& ask) noexcept : count(answer_of(ask, std::span<T>(first))) {}
 

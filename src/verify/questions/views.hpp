@@ -17,7 +17,7 @@ namespace detent::verify {
 template <Scalar S, int N>
 struct ViewCase {
   Transform<S, N> pose;
-  bool narrows;  // by a field of view, or half the width and height
+  bool narrows;  // perspective: a field of view; otherwise half the width and height
   Angle<S> fov;
   S width, height, near_distance, far_distance;
   Vec<S, N> point;

@@ -39,7 +39,7 @@ struct Place {
   }
 };
 
-/// A capsule that moves a few times, each time after the lift.
+/// A capsule that moves a few times, each time after the lift has moved.
 template <Scalar S, int N>
 struct WalkCase {
   static constexpr std::size_t moves = 3;

@@ -11,11 +11,11 @@
 #include "detent/dynamics/snapshot.hpp"
 #include "verify/draw/bodies.hpp"
 
-// Worlds of bodies: what a second of them becomes, and what they become after a snapshot.
+// Worlds of bodies: their states after about a second, and after restoring a snapshot.
 
 namespace detent::verify {
 
-/// A world of a few bodies, and what happens to it.
+/// A world of a few bodies, and its history.
 template <Scalar S, int N, std::size_t Count>
 struct WorldCase {
   static constexpr std::size_t size = Count;
@@ -28,7 +28,7 @@ constexpr void append(D& digest, const WorldCase<S, N, Count>& c) noexcept {
   digest.add(c.settings.gravity, c.bodies);
 }
 
-/// Where a body is in the end, and how it moves.
+/// The final pose and motion of a body.
 template <Scalar S, int N>
 struct Moved {
   Transform<S, N> frame{};
@@ -219,7 +219,7 @@ struct Piles : WorldGroup {
   }
 };
 
-/// A row of boxes without gravity, each joined to the next in another way.
+/// A row of boxes without gravity, each joined to the next by a different kind of joint.
 template <Scalar S, int N>
 struct JointsCase : WorldCase<S, N, 7> {
   DistanceJoint<S, N> rod{};

@@ -123,7 +123,7 @@ def scaled(v, k):
 
 class Face:
     """A triangle. Whether the nearest point is on a corner, an edge or inside changes at planes, so
-    along a line the squared distance is one square function between its passages through them."""
+    along a line the squared distance is a single quadratic between its crossings of them."""
 
     def __init__(self, corners):
         self.corners = corners

@@ -158,7 +158,7 @@ struct TreeAlong : StaticParts<typename Ticks<S>::Time, S, N> {
     const auto part = Base::child(node, k);
     const void* at = part.is_leaf() ? static_cast<const void*>(&items[part.first])
                                     : &this->tree.nodes[part.first];
-    prefetch(at, sizeof(Node));  // for items, too, the size of a node
+    prefetch(at, sizeof(Node));  // the size of a node, also for items
     return part;
   }
   [[nodiscard]] constexpr bool reaches(const Key& enter) const noexcept { return enter <= last; }

@@ -54,13 +54,13 @@ class GrowingBox {
   }
 
  private:
-  // So that vectors of them do not cross cache lines.
+  // Aligned, so that vectors do not cross cache lines.
   alignas(has_lanes ? 32 : alignof(S)) std::array<S, 8> sides_{};
 };
 
-/// The expected cost of a box for a ray, up to a factor that is the same for all parts of a whole:
-/// the number of items times half the box's surface (in 2D half its perimeter). The chance that a
-/// ray near the box hits it is proportional to the surface.
+/// The expected cost of a box for a ray, up to a factor that all parts of a whole share: the number
+/// of items times half the box's surface (in 2D half its perimeter). The chance that a ray near the
+/// box hits it is proportional to the surface.
 template <Scalar S, int N>
 class BoxCost {
   using Size = decltype(S() - S());
@@ -308,14 +308,15 @@ class StaticBuilder {
     }
   }
 
-  /// Fits: both counts sum to one count, and no part is larger than the whole.
+  /// The sum fits: the counts add up to that of the whole, and neither box is larger than the
+  /// whole's.
   [[nodiscard]] static constexpr Cost sum_of(const Cost& a, const Cost& b) noexcept {
     return narrow_sum<bits_of<Cost>>(a, b);
   }
 
   /// Moves the items that pass the test to the front and returns both parts. The new order depends
-  /// only on the order before, which std::partition does not promise: the first item that has to
-  /// move right changes places with the last one that has to move left, and so on inward.
+  /// only on the order before, which std::partition does not promise: the first item that must move
+  /// right is swapped with the last one that must move left, and so on inward.
   template <class Test>
   constexpr std::pair<Range, Range> partition(const Range& range, const Test& test) noexcept {
     const auto items = items_.subspan(range.first, range.count);
@@ -342,7 +343,7 @@ class StaticBuilder {
     return {left, right};
   }
 
-  /// The same without branches that depend on an item, which are hard to predict.
+  /// The same without branches that depend on an item, because those are hard to predict.
   ///
   /// source: Edelkamp and Weiss, BlockQuicksort: Avoiding Branch Mispredictions in Quicksort, 2016
   template <class Test>
@@ -356,7 +357,7 @@ class StaticBuilder {
     auto& [right, left] = parts;
     left.first = range.first;
     right.first = range.first + left.count;
-    // Places of items on the wrong side, as far as they are known, from both ends inward.
+    // Indices of the misplaced items found so far, from both ends inward.
     constexpr std::size_t room = 32;
     std::array<std::size_t, room> in_left{}, in_right{};
     std::size_t first = 0, last = items.size(), left_count = 0, right_count = 0, swapped_left = 0,

@@ -18,7 +18,7 @@ struct StaticPart {
   std::uint32_t count;
 
   static constexpr std::size_t most_children = 8;
-  /// The most parts that wait during a walk: seven per level.
+  /// The most parts pending in a walk: seven per level.
   static constexpr std::size_t room = (most_children - 1) * static_tree_depth;
 
   [[nodiscard]] constexpr bool is_leaf() const noexcept { return count != 0; }

@@ -176,7 +176,7 @@ template <Scalar S, int N>
   return [axis](const auto& a, const auto& b) { return center(a)[axis] < center(b)[axis]; };
 }
 
-/// The center of an entry, and its place in a list. Moving these is faster than moving entries.
+/// The center of an entry, and its index in a list. Moving these is faster than moving entries.
 template <Scalar S, int N>
 struct CenteredPlace {
   decltype(center(QuantizedBox<S, N>())) at;
@@ -267,15 +267,14 @@ constexpr void arrange(Part* first, std::size_t count) {
   }
 }
 
-/// The places of entries in the order of their centers on an axis; of equal centers, the first
-/// comes first.
+/// The indices of entries, sorted by their centers on an axis; equal centers keep their order.
 template <Scalar S, int N, std::size_t Count>
 [[nodiscard]] constexpr std::array<std::uint8_t, Count> order_along(
     std::size_t axis, const std::array<TreeEntry<S, N>, Count>& entries) noexcept {
   static_assert(Count <= 16);
   std::array<std::uint8_t, Count> order{};
   if constexpr (is_fixed<S> && has_lanes) {
-    // On large processors branches that depend on the numbers cost most.
+    // Branchless: on large processors, unpredictable branches cost most.
     std::array<std::int64_t, Count> keys{};
     for (std::size_t i = 0; i < Count; ++i) {
       keys[i] = std::int64_t{center(entries[i])[axis]} * 16 + static_cast<std::int64_t>(i);

@@ -6,8 +6,7 @@
 
 namespace detent::detail {
 
-/// The angle in [-pi, pi) of a vector: in steps of 2^-32 turn, then in radians, each rounded to
-/// nearest.
+/// The angle in [-pi, pi) of a vector: rounded to nearest in steps of 2^-32 turn, then in radians.
 template <Scalar S, class F = Formats<S>>
 [[nodiscard]] constexpr typename F::Spin angle_of_vector(const typename F::Ratio& x,
                                                          const typename F::Ratio& y) noexcept {
@@ -77,7 +76,7 @@ class Aim {
     turning();
   }
 
-  /// The rows of turns alone, of joints that keep two points together.
+  /// Computes only the rows of turns, for joints that keep two points together.
   template <class Joint>
   constexpr void aim_turns(const Joint&) noexcept {}
   constexpr void aim_turns(const HingeJoint<S, N>& joint) noexcept {
@@ -163,7 +162,7 @@ class Aim {
     row.gap = gap;
   }
 
-  /// Row i turns about the axis opposite to that of row j: the shares are the negative ones, unless
+  /// Makes row i turn about the opposite axis of row j: its shares are negated, or recomputed if
   /// one is at the end of its range.
   constexpr void turn_back(std::size_t i, std::size_t j, const Spin& gap) noexcept {
     auto& row = ready_.turn[i];
@@ -195,7 +194,7 @@ class Aim {
       }
     }
   }
-  /// A push along axis I of the world: what `push` computes, in fixed point.
+  /// A push along axis I of the world, as `push` computes it; in fixed point only.
   template <int I>
   constexpr void push_along_axis() noexcept {
     auto& row = ready_.push[std::size_t{I}];

@@ -15,7 +15,7 @@ namespace detent::detail {
 /// The joint capacity of a world with this body capacity.
 [[nodiscard]] constexpr std::size_t joint_room(std::size_t bodies) noexcept { return 2 * bodies; }
 
-/// The joints of a tick. It is scratch data that does not outlive the step.
+/// The joints of a tick: scratch data that does not outlive the step.
 template <class Storage, Scalar S, int N, class... Joints>
 class JointGroup {
  public:
@@ -187,14 +187,14 @@ class JointGroup {
     f(std::integral_constant<int, 2>());
   }
   using FourOf = std::conditional_t<is_fixed<S> && N == 3, FourJoints<S, Record::turn_room>, Place>;
-  /// A joint, how many others come before it at least, and its kind.
+  /// A joint, the least number of joints that must come before it, and its kind.
   struct Line {
     std::uint32_t depth = 0, kind = 0, ready = 0;
     [[nodiscard]] friend constexpr auto operator<=>(const Line&, const Line&) noexcept = default;
   };
 
-  /// Calls together(solver) for four joints or alone(ready) for one, in the order of their bodies'
-  /// joints, and `alone` for the four that `together` refuses.
+  /// Calls together(solver) for four joints or alone(ready) for one, in the order of each body's
+  /// joints, and `alone` for each of four joints that `together` refuses.
   template <class Movings, class Supports, class Together, class Alone>
   constexpr void visit(List& joints, Movings& moving, const Supports& supports,
                        const Together& together, const Alone& alone) {
@@ -222,8 +222,9 @@ class JointGroup {
     }
   }
 
-  /// Puts joints of a kind side by side. A joint comes after all earlier ones of its bodies that can
-  /// move, so those with as many before them share none and may be solved in any order.
+  /// Groups joints of the same kind. A joint comes after all earlier joints of its bodies that can
+  /// move, so joints with equally many predecessors share no such body and may be solved in any
+  /// order.
   template <class Bodies>
   constexpr void line_up(const List& joints, const Bodies& bodies) requires(has_fours) {
     turns_.clear();
@@ -361,7 +362,7 @@ class JointGroup {
   typename Storage::template List<BodyPair, room> apart_;
   typename Storage::template List<std::uint8_t, Storage::capacity> joined_;
 
-  // Of worlds that grow, on machines with long lanes.
+  // Only for growing worlds, on machines with long lanes.
   typename Storage::template List<FourOf, 0> fours_;
   typename Storage::template List<Place, 0> turns_;
   typename Storage::template List<Line, 0> lines_;

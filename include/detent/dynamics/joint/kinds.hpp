@@ -116,8 +116,8 @@ struct SliderJoint : FramedEnds<S, N> {
                                                  const SliderJoint&) noexcept = default;
 };
 
-/// A wheel b on a car a: slides along axis 0 with a spring about `length`, and turns, in 3D about
-/// axis 2 of both frames. The motor turns it.
+/// A wheel b on a car a: it slides along axis 0 with a spring about `length`, and turns, in 3D
+/// about axis 2 of both frames. The motor turns it.
 ///
 /// units:  lower, upper and length in world units, motor_speed in radians per second
 /// domain: translations of less than 512 units
@@ -164,7 +164,7 @@ constexpr Types<Ts..., Us...> operator+(Types<Ts...>, Types<Us...>) noexcept {
   return {};
 }
 
-/// The joints, or the others, among the types that a world names.
+/// The joints among the types that a world names, or the other types.
 template <bool Joints, class... Parts>
 using Select = decltype((Types<>() + ... +
                          std::conditional_t<IsJoint<Parts> == Joints, Types<Parts>, Types<>>()));

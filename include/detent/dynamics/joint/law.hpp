@@ -20,14 +20,14 @@ enum class Law : std::uint8_t {
 
 /// A row of a joint, for a push or a turn, except for its direction.
 ///
-/// `Rate` is a Speed or a Spin, `Total` the impulse of that grid.
+/// `Rate` is Speed or Spin, `Total` the type of the row's impulse.
 template <Scalar S, class Rate, class Total>
 struct Terms {
   Law law = Law::none;
   bool is_capped = false;
   Softness<S> soft{};  // of `equal`, `spring` and `limit`
   Rate target{};
-  Total most{};  // of the impulse, in magnitude, if it is capped
+  Total most{};  // the greatest magnitude of the impulse, if it is capped
 };
 
 /// A spring of w h = pi / 2 and damping ratio 2: see `contact_softness`.

@@ -16,8 +16,8 @@ struct PushRow {
   typename F::Speed gap{};
 };
 
-/// An axis about which a joint turns two bodies. A turn of 1 changes the spin of b against a by 1
-/// about the axis.
+/// An axis about which a joint turns two bodies. A turn of 1 changes the spin of b relative to a by
+/// 1 about the axis.
 template <Scalar S, int N>
 struct TurnRow {
   using F = Formats<S>;
@@ -56,8 +56,8 @@ constexpr void apply(const TurnRow<S, N>& row, const typename F::Turn& turn, Mov
   push_each<1, turns, Spin>(row.on_b, turn, b.spin);
 }
 
-/// Computes a row's shares: with y = G axis of either body and s the sum of both axis . y, they are
-/// y / s, or 0 if s is not positive. Returns s.
+/// Computes a row's shares and returns s: with y = G axis for each body, s is the sum of both axis
+/// . y, and the shares are y / s, or 0 if s is not positive.
 template <Scalar S, int N, class F = Formats<S>>
 constexpr auto share_out(TurnRow<S, N>& row, const Spread<typename F::Gyration, N>& spread_a,
                          const Spread<typename F::Gyration, N>& spread_b) noexcept {

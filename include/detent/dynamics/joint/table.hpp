@@ -21,7 +21,7 @@ struct JointTable {
     if (id.generation == 0 || id.index >= list.size()) return nullptr;
     return list[id.index].generation == id.generation ? &list[id.index] : nullptr;
   }
-  /// The id for the next joint.
+  /// The id of the next joint.
   [[nodiscard]] constexpr JointId vacant() noexcept {
     while (first_free < list.size() && list[first_free].generation != 0) ++first_free;
     return {first_free, next};

@@ -6,7 +6,7 @@
 
 namespace detent {
 
-/// A symmetric 3x3 matrix: the entries (i, i), and of each pair (j, k) the one entry, at the index i
+/// A symmetric 3x3 matrix: the entries (i, i), and for each pair (j, k) one entry, at the index i
 /// of the third axis.
 template <Number T>
 struct Symmetric {

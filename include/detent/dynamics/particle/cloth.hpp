@@ -9,15 +9,15 @@
 
 namespace detent {
 
-/// The material of a rope or a cloth. A frequency is that of a `DistanceConstraint`: 0 is rigid,
+/// The material of a rope or a cloth. Frequencies are those of `DistanceConstraint`s: 0 is rigid,
 /// and a negative one means no such constraints.
 template <Scalar S, int N>
 struct FabricOptions {
-  ParticleOptions<S, N> particle{};  // each of them
-  S stretch = S(0);                  // of neighbours
-  S shear = S(0);                    // of a cloth, across its squares
-  S bend = S(-1);                    // of every second particle
-  bool has_tethers = false;          // of a rope: from its first particle to all others
+  ParticleOptions<S, N> particle{};  // of each particle
+  S stretch = S(0);                  // frequency between neighbours
+  S shear = S(0);                    // across the squares of a cloth
+  S bend = S(-1);                    // between every second particle
+  bool has_tethers = false;          // from a rope's first particle to all others
 };
 
 /// Particles of a system in a row.
@@ -70,8 +70,8 @@ template <class System>
 /// Adds `count` evenly spaced particles from one point to another, constrained in a row. Nothing if
 /// the system has no room or count < 2.
 ///
-/// exact:  places rounded to nearest; the length of each part is that of the whole, rounded down,
-///         over count - 1, rounded to nearest      (tests/dynamics/particle/cloth.test.cpp)
+/// exact:  positions rounded to nearest; the length of each part is the whole length, rounded down,
+///         divided by count - 1 and rounded to nearest (tests/dynamics/particle/cloth.test.cpp)
 template <class Storage, Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Rope> add_rope(BasicParticleSystem<Storage, S, N>& system,
                                                      const Vec<S, N>& from, const Vec<S, N>& to,

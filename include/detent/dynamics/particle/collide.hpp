@@ -18,9 +18,9 @@
 #include "detent/query/overlaps/triangle_capsule.hpp"
 #include "detent/shape/bounding_box.hpp"
 
-// Particles against shapes. A particle counts at its position rounded down to the grid of the
-// scalar: between two such points it sweeps a capsule, and `overlaps` is exact. A move that would
-// touch a shape is never made.
+// Particles against shapes. The position of a particle is rounded down to the grid of the scalar:
+// between two such points it sweeps a capsule, and `overlaps` is exact. A move that would touch a
+// shape is never made.
 
 namespace detent::detail {
 
@@ -91,7 +91,7 @@ template <Scalar S, int N, class Obstacles>
   return first;
 }
 
-/// v after friction has reduced its component along a surface, by at most `limit` in length.
+/// v after friction has shortened its component along a surface by at most `limit`.
 template <Number T, Number Ratio, int N>
 [[nodiscard]] constexpr Vec<T, N> rubbed(const Vec<T, N>& v, const Vec<Ratio, N>& normal,
                                          const T& limit) noexcept {

@@ -81,7 +81,7 @@ template <class Storage, Scalar S, int N>
   return header;
 }
 
-/// Reads both lists; false for bytes that are no particles. Both have room for as many.
+/// Reads both lists, which have the sizes of the snapshot; false for invalid bytes.
 template <Scalar S, int N, class Particles, class Constraints>
 [[nodiscard]] constexpr bool read_particles(Reader& in, const ParticleHeader& header,
                                             Particles& particles, Constraints& constraints) {
@@ -124,8 +124,8 @@ template <Scalar S, int N, class Particles, class Constraints>
 
 }  // namespace detail
 
-/// Writes the snapshot of `system` to `room`; returns the number of its bytes. If `room` is smaller,
-/// its contents are of no use.
+/// Writes the snapshot of `system` to `room`; returns the number of its bytes. If `room` is
+/// smaller, its contents are unspecified.
 template <class Storage, Scalar S, int N>
 constexpr std::size_t snapshot(const BasicParticleSystem<Storage, S, N>& system,
                                std::span<std::byte> room) noexcept {
@@ -144,11 +144,11 @@ template <Scalar S, int N>
 }
 #endif
 
-/// Makes `system` the one of the snapshot, or returns why it is unchanged.
+/// Restores `system` from a snapshot, or returns why it is unchanged.
 ///
 /// domain: any bytes
-/// result: `other_scene` also for other settings; a system restored steps bit by bit as the one that
-///         was saved                           (tests/dynamics/particle/snapshot.test.cpp)
+/// result: `other_scene` also for other settings; a restored system steps bit by bit like the one
+///         that was saved (tests/dynamics/particle/snapshot.test.cpp)
 template <class Storage, Scalar S, int N>
 [[nodiscard]] constexpr Restored restore(BasicParticleSystem<Storage, S, N>& system,
                                          std::span<const std::byte> bytes) {
@@ -212,8 +212,8 @@ constexpr void for_each_field(const ConstraintField<S>& field, const F& f) {
 
 }  // namespace detail
 
-/// The particles and constraints of a system, so that `diff`, `SyncTest` and `Session` can name what
-/// differs: "particle 3 velocity.y", "constraint 3 4 length".
+/// The particles and constraints of a system, so that `diff`, `SyncTest` and `Session` can name
+/// differences: "particle 3 velocity.y", "constraint 3 4 length".
 template <class Storage, Scalar S, int N, class F>
 constexpr void for_each_field(const BasicParticleSystem<Storage, S, N>& system, const F& f) {
   const auto& particles = detail::ParticleAccess::particles(system);

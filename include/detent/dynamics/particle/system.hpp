@@ -91,7 +91,7 @@ class BasicParticleSystem {
     constraints_[at] = record;
     return true;
   }
-  /// Removes the constraint of two particles, as where cloth tears; false if they have none.
+  /// Removes the constraint of two particles, for instance to tear cloth; false if they have none.
   constexpr bool remove(ParticleIndex a, ParticleIndex b) {
     DistanceConstraint<S> constraint;
     constraint.a = (std::min)(a, b);
@@ -103,11 +103,11 @@ class BasicParticleSystem {
     return true;
   }
 
-  /// The position, rounded to nearest and clamped; i < size() here and below.
+  /// The position, rounded to nearest and clamped. Here and below, i must be less than size().
   [[nodiscard]] constexpr Vec<S, N> position(ParticleIndex i) const noexcept {
     return detail::saturated<S>(particles_[i].place);
   }
-  /// Units per second, rounded to nearest and clamped.
+  /// The velocity in units per second, rounded to nearest and clamped.
   [[nodiscard]] constexpr Vec<S, N> velocity(ParticleIndex i) const noexcept {
     return detail::saturated<S>(particles_[i].velocity * detail::as_operand<S>(pace_.rate));
   }
@@ -120,7 +120,7 @@ class BasicParticleSystem {
     return particles_[i].is_pinned;
   }
 
-  /// Sets the velocity in units per second; a held particle ignores it.
+  /// Sets the velocity in units per second. Ignored for held particles.
   constexpr void set_velocity(ParticleIndex i, const Vec<S, N>& velocity) noexcept {
     if (!particles_[i].is_held()) particles_[i].velocity = per_substep(velocity);
   }

@@ -28,8 +28,8 @@ template <Scalar S>
   });
 }
 
-/// A box around a placed box: a placed triangle inside the latter is inside the former, because
-/// rounding is monotone.
+/// A box around a placed box. The placed triangles of the contents lie inside it, because rounding
+/// is monotone.
 template <Scalar S>
 [[nodiscard]] constexpr Aabb<S, 3> placed_box(const Standing<S, 3>& body,
                                               const Aabb<S, 3>& box) noexcept {
@@ -43,11 +43,11 @@ template <Scalar S>
   return result;
 }
 
-/// A box in a body's frame around what `placed_corner` may map into `box`, of points up to `reach`
-/// from the frame's origin along each axis.
+/// A box in a body's frame around all points that `placed_corner` may map into `box`, among those
+/// up to `reach` from the frame's origin along each axis.
 ///
-/// Axes A are unit and orthogonal up to 2^-28 an entry, so that A (A^T p) is off p by less than
-/// 3 reach 2^-28. Rounding a placed corner moves it by half a step along each axis, less than a step
+/// The axes A are orthonormal within 2^-28 per entry, so A (A^T p) differs from p by less than 3
+/// reach 2^-28. Rounding a placed corner moves it by half a step along each axis, less than a step
 /// in the frame.
 template <Scalar S>
 [[nodiscard]] constexpr Aabb<S, 3> box_in(const Standing<S, 3>& body, const Aabb<S, 3>& box,
@@ -68,7 +68,7 @@ template <Scalar S>
   return result;
 }
 
-/// The greatest coordinate of a box, as a magnitude.
+/// The greatest magnitude of a coordinate of a box.
 template <Scalar S>
 [[nodiscard]] constexpr S reach_of(const Aabb<S, 3>& box) noexcept {
   S reach(0);
@@ -78,15 +78,15 @@ template <Scalar S>
   return reach;
 }
 
-/// Calls f(triangle) for each triangle of a body's surface that touches `box`, and for some whose box
-/// does, in the world, in order of their indices.
+/// Calls f(triangle) for each triangle of a body's surface, in the world, that touches `box`, and
+/// for some whose bounding box does, in the order of their indices.
 template <Scalar S, class Body, class F>
 constexpr void visit_placed_surface(const Standing<S, 3>& at, const Aabb<S, 3>& box,
                                     const Body& body, const F& f) {
   if (body.asset == nullptr) return;
   const auto& surface = surface_of(body);
   const auto within = box_in(at, box, reach_of(bounding_box(surface)));
-  // The tree is walked in another order, so each walk finds the next few.
+  // The tree is walked in a different order, so each walk finds the next 16 indices.
   std::array<MeshTriangle<S>, 16> next{};
   for (std::optional<std::uint32_t> last;;) {
     std::size_t count = 0;

@@ -14,7 +14,7 @@ namespace detent {
 
 namespace detail {
 
-/// The corners of a solid hull at its body's pose, each coordinate rounded to nearest once.
+/// The corners of a solid hull in its body's pose, each coordinate rounded to nearest once.
 template <Scalar S, int N>
 class SolidPoints {
  public:
@@ -131,7 +131,7 @@ class WorldObstacles<BasicWorld<Storage, S, N, Parts...>> {
 };
 
 /// The bodies of a world in any of these layers, as obstacles of particles. Valid for one tick:
-/// make it again after bodies have moved.
+/// make a new one after bodies have moved.
 template <class Storage, Scalar S, int N, class... Parts>
 [[nodiscard]] constexpr auto obstacles_of(const BasicWorld<Storage, S, N, Parts...>& world,
                                           std::uint32_t layers = 0xffffffffu) {

@@ -99,7 +99,7 @@ template <class Int>
 
 }  // namespace detail
 
-/// The shares of a vector's components, to step along it or back more than once.
+/// The shares of a vector's components, computed once for several steps along it or back.
 template <int B, int F, std::size_t N>
 [[nodiscard]] constexpr auto shares_of(const std::array<Fixed<B, F>, N>& v) noexcept {
   using Magnitude = IntegerFor<(std::max)(B, 63)>;

@@ -6,9 +6,9 @@
 
 #include "detent/number/rounding.hpp"
 
-// Define DETENT_SMALL_CODE to choose between two ways to the same results: 0 is faster, 1 needs
-// less code, because it omits filters that cost more code than the exact number. The default is 1
-// for -Os with 32-bit registers, otherwise 0.
+// Define DETENT_SMALL_CODE to choose between speed and size; results are the same. 0 is faster, 1
+// needs less code, because it omits filters that add code to the exact computation. The default is
+// 1 for -Os with 32-bit registers, otherwise 0.
 #ifndef DETENT_SMALL_CODE
 #if DETENT_SHORT_WORDS && defined(__OPTIMIZE_SIZE__)
 #define DETENT_SMALL_CODE 1

@@ -222,8 +222,8 @@ template <Number T, std::size_t N, Number L>
   }
 }
 
-/// The leading bits of the square root of x >= 0, at least 31 or all of a shorter root, which must
-/// fit `T`. The exact root is not below the value.
+/// The leading bits of the square root of x >= 0: at least 31 bits, or all bits of a shorter root,
+/// which must fit `T`. The exact root is not below the value.
 template <class T, int B, int F>
 [[nodiscard]] constexpr Approximate<T> sqrt_leading(const Fixed<B, F>& x) noexcept {
   static_assert(F == 2 * T::frac);

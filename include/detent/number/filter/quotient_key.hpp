@@ -39,7 +39,7 @@ class QuotientKey {
     }
   }
 
-  /// Whether the exact quotient is less than that of b, if this can be said.
+  /// Whether the exact quotient is certainly less than that of b.
   [[nodiscard]] constexpr bool is_surely_less(const QuotientKey& b) const noexcept {
     if constexpr (!is_fixed<X>) {
       return key_ < b.key_;
@@ -47,7 +47,7 @@ class QuotientKey {
       return key_ < b.key_ - error;
     }
   }
-  /// Whether the key is less, which is no proof.
+  /// Whether the key is less, which does not prove that the quotient is.
   [[nodiscard]] friend constexpr bool operator<(const QuotientKey& a,
                                                 const QuotientKey& b) noexcept {
     return a.key_ < b.key_;

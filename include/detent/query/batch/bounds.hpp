@@ -36,8 +36,8 @@ template <Scalar S, int N>
 
 /// To rays, a box is its slabs. If the cosines between its axes are at most e = 2^-10, a point with
 /// coordinates |y_i| <= h along them is the sum of z_i axis(i) with |z_i - y_i| <= 1.01 e * 3 h. So
-/// the box around the edges, grown by h / 64, contains the slabs. Slabs along skewed axes may be
-/// anywhere.
+/// the box around the edges, grown by h / 64, contains the slabs. Slabs along more skewed axes may
+/// be anywhere.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto ray_bounds(const Obb<S, N>& box) noexcept {
   using Result = std::optional<Aabb<S, N>>;

@@ -11,8 +11,8 @@
 
 namespace detent::detail {
 
-/// The relation of two posed bodies: their distance rounded down, and the direction from b to a
-/// between their closest points, which is the best separating axis; no axis if they touch.
+/// The relation of two posed bodies: their distance, rounded down, and the direction from the
+/// closest point of b to that of a, which is the best separating axis; no axis if they touch.
 template <Scalar S, int N, Number Between>
 struct GapBetween {
   Between distance;
@@ -129,7 +129,8 @@ class ImpactSearch {
       return slack(t, gap < gap_ ? gap : gap_);
     }
 
-    /// The latest time found of positive slack, or the start, from the slacks there and at time 1.
+    /// The latest time found at which the slack is positive, or the start; from the slacks at the
+    /// start and at time 1.
     template <Number Slack>
     [[nodiscard]] constexpr Time advance(const Slack& at_start,
                                          const Slack& at_end) const noexcept {

@@ -57,7 +57,7 @@ template <class Shape, template <class> class Surface, Scalar S>
   S limit = max_distance;
   Time last = prepared.time(limit);
   const auto reach = [&](const Aabb<S, 3>& part) { return prepared.meets(part, last); };
-  // For round shapes the cast itself is as fast.
+  // For round shapes the cast itself takes no longer.
   constexpr bool looks_first = !filter_pays<S> || !requires { shape.radius; };
   const auto test = [&](std::span<const MeshTriangle<S>> triangles) {
     for (const auto& part : triangles) {

@@ -13,7 +13,7 @@ namespace detent {
 namespace detail {
 
 /// The surface of an asset, and how it is placed in the world. Specialised for `PlacedMesh` and
-/// `PlacedField`, which are surfaces by what is here:
+/// `PlacedField`, which become surfaces through it:
 ///   of(placed)             the surface of the asset, which must not be null
 ///   translation(placed)
 ///   only_moves(placed)     whether it only translates

@@ -22,7 +22,7 @@ class MoverRun {
   using Hit = ObjectHit<S, N>;
 
  public:
-  static constexpr int slides = 5;  // planes that a character meets on one way
+  static constexpr int slides = 5;  // the most planes that a character meets on one path
 
   constexpr MoverRun(const World& world, const Filter& filter, const MoverSettings<S, N>& settings,
                      const Shape& shape)
@@ -35,7 +35,7 @@ class MoverRun {
         least_cosine_(cos<direction_component<S>>(settings.max_slope)),
         steps_(world, filter, shape, skin_) {}
 
-  /// Carries, pushes apart, then walks or flies.
+  /// Carries the character, pushes it out of objects, then lets it walk or fly.
   template <class Character>
   constexpr MoveResult<S, N> run(Character& character, const Motion& by) {
     if (thickness(character.shape) < 0) {  // empty: nothing blocks it
@@ -131,8 +131,8 @@ class MoverRun {
   /// ground; one that does not climb treats steep slopes as walls. Returns whether a wall or a
   /// steep slope was in its way.
   ///
-  /// Each step heads for the same end, as far as the planes met so far allow: so it never turns
-  /// back, and follows the crease of two planes.
+  /// Each step heads for the same end, as far as the planes met so far allow. So the character
+  /// never turns back, and it follows the crease of two planes.
   constexpr bool slide(Steps& steps, const Motion& by, bool lands, bool climbs) {
     HalfSpaces<S, N> spaces;
     Motion left = by;
@@ -190,7 +190,7 @@ class MoverRun {
     }
   }
 
-  /// Up, along and down again; true if that leads onto ground.
+  /// Moves up, along and down again; returns whether that leads onto ground.
   constexpr bool climb(Steps& steps, const Motion& along) {
     const Shape start = steps.shape();
     steps.go(steps.look(upward(step_height_)).by);

@@ -12,9 +12,9 @@
 namespace detent::detail {
 
 /// The objects that can block a character: those that pass the caller's filter, except its carrier,
-/// objects that it is too deep in, and objects that no box around its path overlaps. The last
-/// exception only saves casts: the boxes of trees are coarser than a skin, so every step along a
-/// floor would cast at it.
+/// objects that overlap it too deeply, and objects that the box around its path does not overlap.
+/// The last exception only saves casts: the boxes of trees are coarser than a skin, so every step
+/// along a floor would cast at it.
 template <Scalar S, int N, class World, class Shape, class Filter>
 struct Met {
   const World& world;
@@ -73,7 +73,7 @@ class Stepper {
       : world_(&world), filter_(&filter), start_(shape), shape_(shape), held_(shape), skin_(skin) {}
 
   [[nodiscard]] constexpr const Shape& shape() const noexcept { return shape_; }
-  /// Everything that may be in the way.
+  /// The objects that may be in the way.
   [[nodiscard]] constexpr Passes passes() const noexcept {
     return {*world_, *filter_, carrier_, is_deep_ ? &core_ : nullptr};
   }
@@ -138,7 +138,7 @@ class Stepper {
     return passed;
   }
 
-  /// How far the character gets if it stops `clear` before an obstacle.
+  /// How far the character gets if it stops at the distance `clear` from an obstacle.
   [[nodiscard]] constexpr Step<S, N> look(const Vec<S, N>& by, const S& clear, bool stops_in_held) {
     const auto direction = direction_of<S>(by);
     if (!direction) return {{}, true};
@@ -181,7 +181,7 @@ class Stepper {
     return box;
   }
 
-  /// Cuts a step of a `length` where the gap to the plane of a hit is `clear`.
+  /// Ends a step of this `length` where the gap to the plane of a hit is `clear`.
   constexpr void stop(Step<S, N>& step, const ObjectHit<S, N>& hit,
                       const Direction<S, N>& direction, S& length, const S& clear) const {
     auto closing = -dot(direction, hit.normal);
@@ -225,8 +225,8 @@ class Stepper {
   const Filter* filter_;
   Shape start_;
   Shape shape_;
-  Shape held_;    // what this overlaps stops only a part inside the shape,
-  Shape core_{};  // and what this overlaps, nothing
+  Shape held_;    // objects that this overlaps stop only an inner part of the shape
+  Shape core_{};  // objects that this overlaps stop nothing
   FrameId carrier_{};
   S skin_;
   S guard_{};

@@ -15,7 +15,7 @@ enum class CapsulePart { none, inside, first_end, side, last_end };
   return part == CapsulePart::first_end || part == CapsulePart::last_end;
 }
 
-/// The part at which the ray is for t, from its distance along the axis, m . e + t d . e.
+/// The part at which the ray is at distance t, from its position along the axis, m . e + t d . e.
 template <Scalar S, int N, Number L, Number R>
 [[nodiscard]] constexpr Decided<CapsulePart> part_at(const RayCylinder<S, N, L, R>& ray,
                                                      const Leading& t) noexcept {
