@@ -163,7 +163,6 @@ template <class L, Scalar S>
 class GroupSolver : FourPairs<L, S> {
   using F = Formats<S>;
   using Speed = typename F::Speed;
-  using Spin = typename F::Spin;
   using Sum = typename F::Sum;
   using Ratio = typename F::Ratio;
   using Impulse = typename F::Impulse;
