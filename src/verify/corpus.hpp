@@ -39,6 +39,27 @@ inline constexpr std::uint32_t constant_size = 3;
 template <class... Items>
 struct List {};
 
+/// A name as a template argument.
+template <std::size_t Size>
+struct PartName {
+  consteval PartName(const char (&text)[Size]) noexcept {
+    for (std::size_t i = 0; i < Size; ++i) characters[i] = text[i];
+  }
+  [[nodiscard]] constexpr std::string_view view() const noexcept { return {characters, Size - 1}; }
+
+  char characters[Size];
+};
+
+template <PartName Text, class... Items>
+struct NamedPart {
+  static constexpr std::string_view name = Text.view();
+  using Groups = List<Items...>;
+};
+template <PartName Text, class... Items>
+struct LargePart : NamedPart<Text, Items...> {
+  static constexpr bool large = true;
+};
+
 using SphereKind = Kind<Sphere>;
 using AabbKind = Kind<Aabb>;
 using ObbKind = Kind<Obb>;
@@ -49,242 +70,80 @@ using SegmentKind = Kind<Segment>;
 using RayKind = Kind<Ray>;
 using HullKind = Kind<HullPoints>;
 
-/// The parts of the corpus, for compilers or chips that cannot take all of it at once. `large`
-/// parts do not fit the smallest chips, with 256 KB of flash and 16 KB of memory.
-struct SolidRays {
-  static constexpr std::string_view name = "SolidRays";
-  using Groups = List<Spheres, Aabbs, Obbs>;
-};
-struct FlatRays {
-  static constexpr std::string_view name = "FlatRays";
-  using Groups = List<Planes, Triangles>;
-};
-struct RoundRays {
-  static constexpr std::string_view name = "RoundRays";
-  using Groups = List<RaysAgainst<CapsuleKind>, RaysAgainst<SegmentKind>>;
-};
-struct RoundPoints {
-  static constexpr std::string_view name = "RoundPoints";
-  using Groups = List<Points<SphereKind>, Points<CapsuleKind>>;
-};
-struct BoxPoints {
-  static constexpr std::string_view name = "BoxPoints";
-  using Groups = List<Points<AabbKind>, Points<ObbKind>>;
-};
-struct FlatPoints {
-  static constexpr std::string_view name = "FlatPoints";
-  using Groups = List<Points<PlaneKind>, Points<TriangleKind>>;
-};
-struct LinePoints {
-  static constexpr std::string_view name = "LinePoints";
-  using Groups = List<Points<SegmentKind>, Points<RayKind>>;
-};
-struct SphereOverlaps {
-  static constexpr std::string_view name = "SphereOverlaps";
-  using Groups = List<Overlaps<SphereKind, SphereKind>, Overlaps<SphereKind, AabbKind>,
-                      Overlaps<SphereKind, ObbKind>, Overlaps<SphereKind, PlaneKind>,
-                      Overlaps<SphereKind, TriangleKind>, Overlaps<SphereKind, CapsuleKind>>;
-};
-struct AabbOverlaps {
-  static constexpr std::string_view name = "AabbOverlaps";
-  using Groups =
-      List<Overlaps<AabbKind, AabbKind>, Overlaps<AabbKind, ObbKind>, Overlaps<AabbKind, PlaneKind>,
-           Overlaps<AabbKind, TriangleKind>, Overlaps<AabbKind, CapsuleKind>>;
-};
-struct ObbOverlaps {
-  static constexpr std::string_view name = "ObbOverlaps";
-  using Groups = List<Overlaps<ObbKind, ObbKind>, Overlaps<ObbKind, PlaneKind>,
-                      Overlaps<ObbKind, TriangleKind>, Overlaps<ObbKind, CapsuleKind>>;
-};
-struct FlatOverlaps {
-  static constexpr std::string_view name = "FlatOverlaps";
-  using Groups = List<Overlaps<PlaneKind, PlaneKind>, Overlaps<PlaneKind, TriangleKind>,
-                      Overlaps<PlaneKind, CapsuleKind>, Overlaps<TriangleKind, TriangleKind>,
-                      Overlaps<TriangleKind, CapsuleKind>, Overlaps<CapsuleKind, CapsuleKind>>;
-};
-struct Intersections {
-  static constexpr std::string_view name = "Intersections";
-  using Groups =
-      List<Intersects<SphereKind>, Intersects<AabbKind>, Intersects<ObbKind>, Intersects<PlaneKind>,
-           Intersects<TriangleKind>, Intersects<CapsuleKind>, Intersects<SegmentKind>>;
-};
-struct Hulls {
-  static constexpr std::string_view name = "Hulls";
-  using Groups = List<RaysAgainst<HullKind>, Points<HullKind>>;
-};
-struct HullOverlaps {
-  static constexpr std::string_view name = "HullOverlaps";
-  using Groups = List<Overlaps<SphereKind, HullKind>, Overlaps<AabbKind, HullKind>,
-                      Overlaps<ObbKind, HullKind>, Overlaps<PlaneKind, HullKind>>;
-};
-struct HullMeetings {
-  static constexpr std::string_view name = "HullMeetings";
-  using Groups = List<Overlaps<TriangleKind, HullKind>, Overlaps<CapsuleKind, HullKind>,
-                      Overlaps<HullKind, HullKind>, Intersects<HullKind>>;
-};
-struct Turns {
-  static constexpr std::string_view name = "Turns";
-  using Groups =
-      List<Normals, Angles, Bearings, FlatTurns, AxisTurns, Quaternions, Eulers, Rotations>;
-};
-struct Arithmetic {
-  static constexpr std::string_view name = "Arithmetic";
-  using Groups = List<Roots, Quotients, Texts>;
-};
-struct Moves {
-  static constexpr std::string_view name = "Moves";
-  using Groups = List<Matrices, Blends, Motions, Cameras, Lenses, VectorPairs>;
-};
-struct Extents {
-  static constexpr std::string_view name = "Extents";
-  using Groups = List<Crossings, Sizes>;
-};
-
-struct MeshAnswers {
-  static constexpr std::string_view name = "MeshAnswers";
-  using Groups = List<Meshes>;
-};
-struct FieldAnswers {
-  static constexpr std::string_view name = "FieldAnswers";
-  using Groups = List<HeightFields>;
-};
-struct SceneAnswers {
-  static constexpr std::string_view name = "SceneAnswers";
-  using Groups = List<SceneQuestions>;
-};
-struct SceneContacts {
-  static constexpr std::string_view name = "SceneContacts";
-  using Groups = List<SceneMeetings>;
-};
-struct Snapshots {
-  static constexpr std::string_view name = "Snapshots";
-  using Groups = List<SceneRecords>;
-};
-
-struct Sights {
-  static constexpr std::string_view name = "Sights";
-  using Groups = List<Views>;
-};
-
-struct PairDistances {
-  static constexpr std::string_view name = "PairDistances";
-  using Groups = List<Distances<CapsuleKind, ObbKind>, Distances<HullKind, HullKind>>;
-};
-
-struct MoreDistances {
-  static constexpr std::string_view name = "MoreDistances";
-  using Groups = List<Distances<SphereKind, TriangleKind>, Distances<ObbKind, ObbKind>,
-                      Distances<SegmentKind, HullKind>>;
-};
-struct SpherePairPoints {
-  static constexpr std::string_view name = "SpherePairPoints";
-  using Groups = List<ClosestPoints<SphereKind, AabbKind>>;
-};
-struct CapsulePairPoints {
-  static constexpr std::string_view name = "CapsulePairPoints";
-  using Groups = List<ClosestPoints<CapsuleKind, CapsuleKind>>;
-};
-struct TrianglePairPoints {
-  static constexpr std::string_view name = "TrianglePairPoints";
-  using Groups = List<ClosestPoints<TriangleKind, SegmentKind>>;
-};
-struct HullPairPoints {
-  static constexpr std::string_view name = "HullPairPoints";
-  using Groups = List<ClosestPoints<HullKind, HullKind, 3>>;
-};
-struct BoxPairPoints {
-  static constexpr std::string_view name = "BoxPairPoints";
-  using Groups = List<ClosestPoints<ObbKind, ObbKind, 3>>;
-};
-struct SphereContacts {
-  static constexpr std::string_view name = "SphereContacts";
-  static constexpr bool large = true;
-  using Groups = List<Contacts<SphereKind, AabbKind>>;
-};
-struct CapsuleContacts {
-  static constexpr std::string_view name = "CapsuleContacts";
-  static constexpr bool large = true;
-  using Groups = List<Contacts<CapsuleKind, ObbKind, 3>>;
-};
-struct BoxContacts {
-  static constexpr std::string_view name = "BoxContacts";
-  static constexpr bool large = true;
-  using Groups = List<Contacts<ObbKind, ObbKind, 3>>;
-};
-struct FlatContacts {
-  static constexpr std::string_view name = "FlatContacts";
-  static constexpr bool large = true;
-  using Groups = List<Contacts<ObbKind, AabbKind, 2>>;
-};
-struct HullContacts {
-  static constexpr std::string_view name = "HullContacts";
-  static constexpr bool large = true;
-  using Groups = List<Contacts<TriangleKind, HullKind, 3>>;
-};
-struct PlaneContacts {
-  static constexpr std::string_view name = "PlaneContacts";
-  static constexpr bool large = true;
-  using Groups = List<Contacts<HullKind, PlaneKind>>;
-};
-struct SphereCasts {
-  static constexpr std::string_view name = "SphereCasts";
-  static constexpr bool large = true;
-  using Groups = List<Casts<SphereKind, TriangleKind, 3>>;
-};
-struct CapsuleCasts {
-  static constexpr std::string_view name = "CapsuleCasts";
-  static constexpr bool large = true;
-  using Groups = List<Casts<CapsuleKind, ObbKind, 3>>;
-};
-struct FlatCasts {
-  static constexpr std::string_view name = "FlatCasts";
-  static constexpr bool large = true;
-  using Groups = List<Casts<ObbKind, CapsuleKind, 2>>;
-};
-struct AabbCasts {
-  static constexpr std::string_view name = "AabbCasts";
-  static constexpr bool large = true;
-  using Groups = List<Casts<AabbKind, AabbKind, 3>>;
-};
-struct ObbCasts {
-  static constexpr std::string_view name = "ObbCasts";
-  static constexpr bool large = true;
-  using Groups = List<Casts<ObbKind, ObbKind, 3>>;
-};
-struct HullCasts {
-  static constexpr std::string_view name = "HullCasts";
-  static constexpr bool large = true;
-  using Groups = List<Casts<HullKind, HullKind, 3>>;
-};
-struct BoxImpacts {
-  static constexpr std::string_view name = "BoxImpacts";
-  static constexpr bool large = true;
-  using Groups = List<Impacts<ObbKind, ObbKind>>;
-};
-struct Characters {
-  static constexpr std::string_view name = "Characters";
-  static constexpr bool large = true;
-  using Groups = List<Walks>;
-};
-struct ScenePairs {
-  static constexpr std::string_view name = "ScenePairs";
-  using Groups = List<SceneEvents>;
-};
-struct FallingBodies {
-  static constexpr std::string_view name = "FallingBodies";
-  static constexpr bool large = true;
-  using Groups = List<Piles>;
-};
-struct JoinedBodies {
-  static constexpr std::string_view name = "JoinedBodies";
-  static constexpr bool large = true;
-  using Groups = List<Linkages>;
-};
-struct SolidBodies {
-  static constexpr std::string_view name = "SolidBodies";
-  static constexpr bool large = true;
-  using Groups = List<Solids>;
-};
+/// The parts of the corpus, for compilers or chips that cannot take all of it at once. Those that
+/// are `large` do not fit the smallest chips, with 256 KB of flash and 16 KB of memory.
+using SolidRays =
+    NamedPart<"SolidRays", AimedRays<SphereKind>, AimedRays<AabbKind>, AimedRays<ObbKind>>;
+using FlatRays = NamedPart<"FlatRays", AimedRays<PlaneKind>, AimedRays<TriangleKind>>;
+using RoundRays = NamedPart<"RoundRays", RaysAgainst<CapsuleKind>, RaysAgainst<SegmentKind>>;
+using RoundPoints = NamedPart<"RoundPoints", Points<SphereKind>, Points<CapsuleKind>>;
+using BoxPoints = NamedPart<"BoxPoints", Points<AabbKind>, Points<ObbKind>>;
+using FlatPoints = NamedPart<"FlatPoints", Points<PlaneKind>, Points<TriangleKind>>;
+using LinePoints = NamedPart<"LinePoints", Points<SegmentKind>, Points<RayKind>>;
+using SphereOverlaps =
+    NamedPart<"SphereOverlaps", Overlaps<SphereKind, SphereKind>, Overlaps<SphereKind, AabbKind>,
+              Overlaps<SphereKind, ObbKind>, Overlaps<SphereKind, PlaneKind>,
+              Overlaps<SphereKind, TriangleKind>, Overlaps<SphereKind, CapsuleKind>>;
+using AabbOverlaps = NamedPart<"AabbOverlaps", Overlaps<AabbKind, AabbKind>,
+                               Overlaps<AabbKind, ObbKind>, Overlaps<AabbKind, PlaneKind>,
+                               Overlaps<AabbKind, TriangleKind>, Overlaps<AabbKind, CapsuleKind>>;
+using ObbOverlaps =
+    NamedPart<"ObbOverlaps", Overlaps<ObbKind, ObbKind>, Overlaps<ObbKind, PlaneKind>,
+              Overlaps<ObbKind, TriangleKind>, Overlaps<ObbKind, CapsuleKind>>;
+using FlatOverlaps =
+    NamedPart<"FlatOverlaps", Overlaps<PlaneKind, PlaneKind>, Overlaps<PlaneKind, TriangleKind>,
+              Overlaps<PlaneKind, CapsuleKind>, Overlaps<TriangleKind, TriangleKind>,
+              Overlaps<TriangleKind, CapsuleKind>, Overlaps<CapsuleKind, CapsuleKind>>;
+using Intersections =
+    NamedPart<"Intersections", Intersects<SphereKind>, Intersects<AabbKind>, Intersects<ObbKind>,
+              Intersects<PlaneKind>, Intersects<TriangleKind>, Intersects<CapsuleKind>,
+              Intersects<SegmentKind>>;
+using Hulls = NamedPart<"Hulls", RaysAgainst<HullKind>, Points<HullKind>>;
+using HullOverlaps =
+    NamedPart<"HullOverlaps", Overlaps<SphereKind, HullKind>, Overlaps<AabbKind, HullKind>,
+              Overlaps<ObbKind, HullKind>, Overlaps<PlaneKind, HullKind>>;
+using HullMeetings =
+    NamedPart<"HullMeetings", Overlaps<TriangleKind, HullKind>, Overlaps<CapsuleKind, HullKind>,
+              Overlaps<HullKind, HullKind>, Intersects<HullKind>>;
+using Turns = NamedPart<"Turns", Normals, Angles, Bearings, FlatTurns, AxisTurns, Quaternions,
+                        Eulers, Rotations>;
+using Arithmetic = NamedPart<"Arithmetic", Roots, Quotients, Texts>;
+using Moves = NamedPart<"Moves", Matrices, Blends, Motions, Cameras, Lenses, VectorPairs>;
+using Extents = NamedPart<"Extents", Crossings, Sizes>;
+using MeshAnswers = NamedPart<"MeshAnswers", Meshes>;
+using FieldAnswers = NamedPart<"FieldAnswers", HeightFields>;
+using SceneAnswers = NamedPart<"SceneAnswers", SceneQuestions>;
+using SceneContacts = NamedPart<"SceneContacts", SceneMeetings>;
+using Snapshots = NamedPart<"Snapshots", SceneRecords>;
+using Sights = NamedPart<"Sights", Views>;
+using PairDistances =
+    NamedPart<"PairDistances", Distances<CapsuleKind, ObbKind>, Distances<HullKind, HullKind>>;
+using MoreDistances = NamedPart<"MoreDistances", Distances<SphereKind, TriangleKind>,
+                                Distances<ObbKind, ObbKind>, Distances<SegmentKind, HullKind>>;
+using SpherePairPoints = NamedPart<"SpherePairPoints", ClosestPoints<SphereKind, AabbKind>>;
+using CapsulePairPoints = NamedPart<"CapsulePairPoints", ClosestPoints<CapsuleKind, CapsuleKind>>;
+using TrianglePairPoints =
+    NamedPart<"TrianglePairPoints", ClosestPoints<TriangleKind, SegmentKind>>;
+using HullPairPoints = NamedPart<"HullPairPoints", ClosestPoints<HullKind, HullKind, 3>>;
+using BoxPairPoints = NamedPart<"BoxPairPoints", ClosestPoints<ObbKind, ObbKind, 3>>;
+using SphereContacts = LargePart<"SphereContacts", Contacts<SphereKind, AabbKind>>;
+using CapsuleContacts = LargePart<"CapsuleContacts", Contacts<CapsuleKind, ObbKind, 3>>;
+using BoxContacts = LargePart<"BoxContacts", Contacts<ObbKind, ObbKind, 3>>;
+using FlatContacts = LargePart<"FlatContacts", Contacts<ObbKind, AabbKind, 2>>;
+using HullContacts = LargePart<"HullContacts", Contacts<TriangleKind, HullKind, 3>>;
+using PlaneContacts = LargePart<"PlaneContacts", Contacts<HullKind, PlaneKind>>;
+using SphereCasts = LargePart<"SphereCasts", Casts<SphereKind, TriangleKind, 3>>;
+using CapsuleCasts = LargePart<"CapsuleCasts", Casts<CapsuleKind, ObbKind, 3>>;
+using FlatCasts = LargePart<"FlatCasts", Casts<ObbKind, CapsuleKind, 2>>;
+using AabbCasts = LargePart<"AabbCasts", Casts<AabbKind, AabbKind, 3>>;
+using ObbCasts = LargePart<"ObbCasts", Casts<ObbKind, ObbKind, 3>>;
+using HullCasts = LargePart<"HullCasts", Casts<HullKind, HullKind, 3>>;
+using BoxImpacts = LargePart<"BoxImpacts", Impacts<ObbKind, ObbKind>>;
+using Characters = LargePart<"Characters", Walks>;
+using ScenePairs = NamedPart<"ScenePairs", SceneEvents>;
+using FallingBodies = LargePart<"FallingBodies", Piles>;
+using JoinedBodies = LargePart<"JoinedBodies", Linkages>;
+using SolidBodies = LargePart<"SolidBodies", Solids>;
 
 namespace detail {
 
@@ -307,37 +166,26 @@ constexpr auto parts_of(List<Items...>) {
 
 }  // namespace detail
 
+template <PartName Text, class... Items>
+struct NamedVolume {
+  static constexpr std::string_view name = Text.view();
+  using Parts = List<Items...>;
+  using Groups = decltype(detail::groups_of(Parts{}));
+};
+
 /// The corpus in five programs, for compilers that cannot take it in one.
-struct Basics {
-  static constexpr std::string_view name = "Basics";
-  using Parts = List<SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints, LinePoints,
-                     SphereOverlaps, AabbOverlaps, ObbOverlaps, FlatOverlaps, Intersections, Hulls,
-                     HullOverlaps, HullMeetings, Turns, Arithmetic, Moves, Extents, MeshAnswers,
-                     FieldAnswers, SceneAnswers, SceneContacts, Snapshots, Sights, PairDistances>;
-  using Groups = decltype(detail::groups_of(Parts{}));
-};
-struct Pairs {
-  static constexpr std::string_view name = "Pairs";
-  using Parts = List<MoreDistances, SpherePairPoints, CapsulePairPoints, TrianglePairPoints,
-                     HullPairPoints, BoxPairPoints, SphereContacts, CapsuleContacts, BoxContacts,
-                     FlatContacts, HullContacts, PlaneContacts>;
-  using Groups = decltype(detail::groups_of(Parts{}));
-};
-struct Movements {
-  static constexpr std::string_view name = "Movements";
-  using Parts = List<SphereCasts, CapsuleCasts, FlatCasts, AabbCasts, ObbCasts, HullCasts>;
-  using Groups = decltype(detail::groups_of(Parts{}));
-};
-struct Bodies {
-  static constexpr std::string_view name = "Bodies";
-  using Parts = List<BoxImpacts, Characters, ScenePairs>;
-  using Groups = decltype(detail::groups_of(Parts{}));
-};
-struct Worlds {
-  static constexpr std::string_view name = "Worlds";
-  using Parts = List<FallingBodies, JoinedBodies, SolidBodies>;
-  using Groups = decltype(detail::groups_of(Parts{}));
-};
+using Basics =
+    NamedVolume<"Basics", SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints,
+                LinePoints, SphereOverlaps, AabbOverlaps, ObbOverlaps, FlatOverlaps, Intersections,
+                Hulls, HullOverlaps, HullMeetings, Turns, Arithmetic, Moves, Extents, MeshAnswers,
+                FieldAnswers, SceneAnswers, SceneContacts, Snapshots, Sights, PairDistances>;
+using Pairs = NamedVolume<"Pairs", MoreDistances, SpherePairPoints, CapsulePairPoints,
+                          TrianglePairPoints, HullPairPoints, BoxPairPoints, SphereContacts,
+                          CapsuleContacts, BoxContacts, FlatContacts, HullContacts, PlaneContacts>;
+using Movements =
+    NamedVolume<"Movements", SphereCasts, CapsuleCasts, FlatCasts, AabbCasts, ObbCasts, HullCasts>;
+using Bodies = NamedVolume<"Bodies", BoxImpacts, Characters, ScenePairs>;
+using Worlds = NamedVolume<"Worlds", FallingBodies, JoinedBodies, SolidBodies>;
 using Volumes = List<Basics, Pairs, Movements, Bodies, Worlds>;
 
 using Parts = decltype(detail::parts_of(Volumes{}));

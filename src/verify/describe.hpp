@@ -162,6 +162,26 @@ void add_fields(Fields& fields, const HullPoints<S, N>& hull) {
   }
 }
 
+/// A field without a name is described by its own fields.
+template <class Case>
+requires requires { Case::field_names; }
+Fields fields_of(const Case& c) {
+  Fields fields;
+  const auto add = [&]<class Field>(std::string_view name, const Field& field) {
+    if constexpr (requires { words(field); }) {
+      if (!name.empty()) fields.emplace_back(name, words(field));
+    }
+    if constexpr (requires { add_fields(fields, field); }) {
+      if (name.empty()) add_fields(fields, field);
+    }
+  };
+  c.fields([&](const auto&... values) {
+    const auto* name = Case::field_names.data();
+    (add(*name++, values), ...);
+  });
+  return fields;
+}
+
 template <Scalar S, int N, class Shape>
 Fields fields_of(const RayCase<S, N, Shape>& c) {
   Fields fields;
@@ -218,106 +238,10 @@ Fields fields_of(const ImpactCase<S, N, First, Second>& c) {
   return fields;
 }
 template <Scalar S, int N>
-Fields fields_of(const VectorCase<S, N>& c) {
-  return {{"vector", words(c.vector)}};
-}
-template <Scalar S, int N>
-Fields fields_of(const AngleCase<S, N>& c) {
-  return {{"angle", words(c.angle)}, {"number", words(c.number)}};
-}
-template <Scalar S, int N>
-Fields fields_of(const BearingCase<S, N>& c) {
-  return {{"y", words(c.y)}, {"x", words(c.x)}};
-}
-template <Scalar S, int N>
-Fields fields_of(const TurnCase<S, N>& c) {
-  return {{"axis", words(c.axis)}, {"angle", words(c.angle)}};
-}
-template <Scalar S, int N>
-Fields fields_of(const QuaternionCase<S, N>& c) {
-  return {{"x", words(c.x)}, {"y", words(c.y)}, {"z", words(c.z)}, {"w", words(c.w)}};
-}
-template <Scalar S, int N>
-Fields fields_of(const EulerCase<S, N>& c) {
-  return {{"x", words(c.x)}, {"y", words(c.y)}, {"z", words(c.z)}};
-}
-template <Scalar S, int N>
-Fields fields_of(const RotateCase<S, N>& c) {
-  Fields fields;
-  add_fields(fields, c.rotation);
-  fields.emplace_back("vector", words(c.vector));
-  return fields;
-}
-template <Scalar S, int N>
-Fields fields_of(const MatrixCase<S, N>& c) {
-  return {{"matrix", words(c.matrix)}};
-}
-template <Scalar S, int N>
-Fields fields_of(const BlendCase<S, N>& c) {
-  return {{"p", words(c.p)}, {"q", words(c.q)}, {"t", words(c.t)}, {"vector", words(c.vector)}};
-}
-template <Scalar S, int N>
-Fields fields_of(const MotionCase<S, N>& c) {
-  return {{"transform", words(c.transform)}, {"point", words(c.point)}};
-}
-template <Scalar S, int N>
-Fields fields_of(const CameraCase<S, N>& c) {
-  return {{"eye", words(c.eye)},
-          {"target", words(c.target)},
-          {"up", words(c.up)},
-          {"matrix", words(c.matrix)}};
-}
-template <Scalar S, int N>
-Fields fields_of(const LensCase<S, N>& c) {
-  return {{"fov", words(c.fov)},
-          {"aspect", words(c.aspect)},
-          {"near_distance", words(c.near_distance)},
-          {"far_distance", words(c.far_distance)}};
-}
-template <Scalar S, int N>
-Fields fields_of(const ViewCase<S, N>& c) {
-  return {{"pose", words(c.pose)},
-          {"perspective", words(c.narrows)},
-          {"fov", words(c.fov)},
-          {"aspect, or half width", words(c.width)},
-          {"half height", words(c.height)},
-          {"near_distance", words(c.near_distance)},
-          {"far_distance", words(c.far_distance)},
-          {"point", words(c.point)},
-          {"x", words(c.x)},
-          {"y", words(c.y)},
-          {"depth", words(c.depth)},
-          {"box", words(c.box)}};
-}
-template <Scalar S, int N>
-Fields fields_of(const VectorsCase<S, N>& c) {
-  return {{"u", words(c.u)}, {"v", words(c.v)}, {"normal", words(c.normal)}, {"t", words(c.t)}};
-}
-template <Scalar S, int N>
 Fields fields_of(const CrossingCase<S, N>& c) {
   Fields fields;
   for (const auto& plane : c.planes) add_fields(fields, plane);
   return fields;
-}
-template <Scalar S, int N>
-Fields fields_of(const SizeCase<S, N>& c) {
-  Fields fields;
-  add_fields(fields, c.triangle);
-  add_fields(fields, c.aabb);
-  add_fields(fields, c.sphere);
-  add_fields(fields, c.obb);
-  return fields;
-}
-template <Scalar S, int N>
-Fields fields_of(const RootCase<S, N>& c) {
-  return {{"a", words(c.a)},
-          {"b", words(c.b)},
-          {"added to a b", words(c.beside_square)},
-          {"added to (a b)^2", words(c.beside_fourth_power)}};
-}
-template <Scalar S, int N>
-Fields fields_of(const QuotientCase<S, N>& c) {
-  return {{"a", words(c.a)}, {"b", words(c.b)}, {"c", words(c.c)}, {"d", words(c.d)}};
 }
 template <Scalar S, int N>
 Fields fields_of(const TextCase<S, N>& c) {

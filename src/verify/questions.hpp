@@ -8,7 +8,7 @@
 //   draw<S, N>(random) a case: the arguments of the queries
 //   answer<Row>(case)  the library's result, of any type that a digest takes
 //   share              for slow queries: it runs one in this many of the questions
-// and every case type has an `append`, because the questions have a digest too.
+// and every case type lists its fields or has an `append`, because the questions have a digest too.
 
 #include "verify/questions/casts.hpp"
 #include "verify/questions/meshes.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/exam.hpp"
+#include "oracle/ray_exam.hpp"
 
 namespace detent::oracle {
 namespace {

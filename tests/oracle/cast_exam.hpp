@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "detent/query/cast.hpp"
@@ -24,10 +23,7 @@ class CastExam {
   void examine(long count) {
     long hits = 0, starts = 0;
     for (long i = 0; i < count; ++i) {
-      const auto kind =
-          std::array{Kind::general, Kind::general, Kind::lattice,
-                     Kind::tiny,    Kind::extreme, Kind::degenerate}[draw_.random.below(6)];
-      const auto setting = draw_setting(draw_, kind, 300);
+      const auto setting = any_setting(draw_, Kind::general, 300);
       const auto a = draw_shape<A>(draw_, setting);
       const auto b = draw_shape<B>(draw_, setting);
       const auto direction = draw_direction(setting, a, b);

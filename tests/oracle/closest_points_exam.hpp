@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <type_traits>
 
 #include "detent/query/closest_points/pair.hpp"
@@ -24,10 +23,7 @@ class ClosestPointsExam {
   void examine(long count) {
     long apart = 0;
     for (long i = 0; i < count; ++i) {
-      const auto kind =
-          std::array{Kind::general, Kind::lattice, Kind::lattice,
-                     Kind::tiny,    Kind::extreme, Kind::degenerate}[draw_.random.below(6)];
-      const auto setting = draw_setting(draw_, kind, 150);
+      const auto setting = any_setting(draw_, Kind::lattice, 150);
       const auto a = draw_shape<A>(draw_, setting);
       const auto b = draw_shape<B>(draw_, setting);
       const auto found = closest_points(a, b);

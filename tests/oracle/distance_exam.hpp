@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-
 #include "detent/query/distance/pair.hpp"
 // The hulls come before the headers that look them up.
 #include "oracle/hull.hpp"
@@ -22,10 +20,7 @@ class DistanceExam {
   void examine(long count) {
     long apart = 0;
     for (long i = 0; i < count; ++i) {
-      const auto kind =
-          std::array{Kind::general, Kind::general, Kind::lattice,
-                     Kind::tiny,    Kind::extreme, Kind::degenerate}[draw_.random.below(6)];
-      const auto setting = draw_setting(draw_, kind, 150);
+      const auto setting = any_setting(draw_, Kind::general, 150);
       const auto a = draw_shape<A>(draw_, setting);
       const auto b = draw_shape<B>(draw_, setting);
       const auto exact = distance_floor(a, b);

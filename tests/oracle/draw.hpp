@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <type_traits>
 #include <vector>
 
 #include "detent/math/rotation.hpp"
 #include "oracle/exact.hpp"
+#include "oracle/space.hpp"
 #include "support/random.hpp"
 
 namespace detent::oracle {
@@ -89,6 +91,9 @@ class Draw {
     for (std::size_t i = 0; i < size; ++i) result[static_cast<int>(i)] = scalar(raw[i]);
     return result;
   }
+  static Ray<S, N> ray(const Raw<N>& origin, const Direction<S, N>& direction, S max_distance) {
+    return {vec(origin), direction, max_distance};
+  }
   /// From components that are known to form a direction.
   static Direction<S, N> direction(const Raw<N>& raw) {
     std::array<typename direction_component<S>::raw_type, size> components{};
@@ -132,6 +137,15 @@ class Draw {
     Raw<N> result{};
     for (auto& component : result) component = extreme();
     return result;
+  }
+
+  /// `length`, divided by a random power of two.
+  std::int64_t shrunk(std::int64_t length) {
+    return length >> random.below(static_cast<unsigned>(bits));
+  }
+  /// How many steps of length `step` fit into a shrunk `reach`; at least one.
+  std::int64_t steps(std::int64_t reach, std::int64_t step = 1) {
+    return std::max<std::int64_t>(1, shrunk(reach / step));
   }
 
   /// One of the coordinate axes, in either direction.
@@ -251,11 +265,45 @@ class Draw {
     }
     return result;
   }
+  /// The offset, to the raw unit, of the plane through `point`.
+  static std::int64_t offset_of(const Direction<S, N>& normal, const Raw<N>& point) {
+    double sum = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      sum += static_cast<double>(normal[static_cast<int>(i)].raw()) / static_cast<double>(one) *
+             static_cast<double>(point[i]);
+    }
+    return std::llround(sum);
+  }
   static Raw<N> plus(const Raw<N>& a, const Raw<N>& b, std::int64_t times = 1) {
     Raw<N> result{};
     for (std::size_t i = 0; i < size; ++i) result[i] = a[i] + times * b[i];
     return result;
   }
 };
+
+/// The scalar and the dimension of a shape.
+template <class Shape>
+struct SpaceOf;
+template <template <Scalar, int> class Shape, Scalar S, int N>
+struct SpaceOf<Shape<S, N>> {
+  using type = test::Space<S, N>;
+};
+
+/// A shape with these fields; points and lengths are raw numbers.
+template <class Shape, class... Fields>
+Shape from_raw(const Fields&... fields) {
+  using Space = typename SpaceOf<Shape>::type;
+  using D = Draw<typename Space::scalar, Space::dimension>;
+  const auto stored = []<class Field>(const Field& field) {
+    if constexpr (std::is_integral_v<Field>) {
+      return D::scalar(field);
+    } else if constexpr (std::is_same_v<Field, Raw<Space::dimension>>) {
+      return D::vec(field);
+    } else {
+      return field;
+    }
+  };
+  return {stored(fields)...};
+}
 
 }  // namespace detent::oracle

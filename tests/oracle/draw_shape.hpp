@@ -45,8 +45,7 @@ Setting<N> draw_setting(Draw<S, N>& draw, Kind kind, int aim) {
   if (kind == Kind::lattice || kind == Kind::degenerate) {
     result.frame = draw.frame();
     const auto norm = result.frame.norm;
-    result.stride = std::max<std::int64_t>(
-        1, (D::limit / 16) / norm >> random.below(static_cast<unsigned>(S::bits)));
+    result.stride = draw.steps(D::limit / 16, norm);
     // Multiples of the norm, so that a plane along the lattice has an offset on the grid.
     for (auto& component : result.center) {
       const auto reach = random.coin() ? 0 : D::limit / 4 / norm;
@@ -54,6 +53,15 @@ Setting<N> draw_setting(Draw<S, N>& draw, Kind kind, int aim) {
     }
   }
   return result;
+}
+
+/// A setting of any kind, of `twice` twice as often as of the others.
+template <Scalar S, int N>
+Setting<N> any_setting(Draw<S, N>& draw, Kind twice, int aim) {
+  const auto
+      kind = std::array{Kind::general, twice,         Kind::lattice,
+                        Kind::tiny,    Kind::extreme, Kind::degenerate}[draw.random.below(6)];
+  return draw_setting(draw, kind, aim);
 }
 
 /// Draws the parts of shapes in one setting.

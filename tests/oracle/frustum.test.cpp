@@ -15,7 +15,6 @@
 // The hull helpers come before the exam, which looks them up.
 #include "oracle/frustum.hpp"
 //
-#include "oracle/exam.hpp"
 #include "oracle/pair_exam.hpp"
 
 namespace detent::oracle {
@@ -37,7 +36,7 @@ void examine_overlaps(std::uint64_t seed, long count, int aim) {
   family("tiny", Kind::tiny, 10, 5, 95);
   family("extreme", Kind::extreme, 15, 1, 99);
   family("degenerate", Kind::degenerate, 10, 1, 95);
-  exam.finish();
+  exam.finish(count);
 }
 
 template <Scalar S>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <sstream>
 #include <type_traits>
 #include <utility>
 
 #include "oracle/describe.hpp"
 #include "oracle/draw_shape.hpp"
-#include "oracle/oracle_test.hpp"
+#include "oracle/exam.hpp"
 
 namespace detent::oracle {
 
@@ -30,48 +30,25 @@ inline constexpr bool is_symmetric<Segment<S, N>, B> = false;
 template <Scalar S, int N>
 inline constexpr bool is_symmetric<Segment<S, N>, Segment<S, N>> = true;
 
-/// Runs pairs of shapes through the library, in both orders, and through the oracle, and keeps the
-/// first few disagreements.
+/// Runs pairs of shapes through the library, in both orders, and through the oracle.
 template <Scalar S, int N>
-class PairExam {
+class PairExam : public Exam<PairExam<S, N>, S, N> {
  public:
-  explicit PairExam(std::uint64_t seed) : draw(seed) {}
+  using Exam<PairExam<S, N>, S, N>::Exam;
 
-  Draw<S, N> draw;
-
-  /// Runs `count` cases, each a pair of shapes from `generate`; of these, `low` to `high` percent
-  /// must overlap.
-  template <class Generate>
-  void family(const char* name, long count, int low, int high, Generate generate) {
-    test::HitRate rate;
-    for (long i = 0; i < count; ++i) {
-      const auto [a, b] = generate();
-      const bool expected = meet(a, b);
-      rate.count(expected);
-      ++asked_;
-      bool is_right = ask(a, b) == expected;
-      if constexpr (is_symmetric<std::decay_t<decltype(a)>, std::decay_t<decltype(b)>>) {
-        is_right = is_right && ask(b, a) == expected;
-      }
-      if (is_right || ++wrong_ > 5) continue;
-      first_mistakes_ << name << ": " << describe(a) << "; " << describe(b) << "; expected "
-                      << expected << "\n";
-    }
-    INFO(draw.random << ", " << name << ": " << rate);
-    CHECK(rate.percent() >= low);
-    CHECK(rate.percent() <= high);
+  /// Runs two shapes, which hit where they overlap.
+  template <class A, class B>
+  bool run(const char* name, const std::pair<A, B>& drawn) {
+    const auto& [a, b] = drawn;
+    const bool expected = meet(a, b);
+    bool is_right = ask(a, b) == expected;
+    if constexpr (is_symmetric<A, B>) is_right = is_right && ask(b, a) == expected;
+    this->count_case(is_right, [&, &a = a, &b = b](auto& out) {
+      out << name << ": " << describe(a) << "; " << describe(b) << "; expected " << expected
+          << "\n";
+    });
+    return expected;
   }
-
-  void finish() {
-    INFO(draw.random << ", " << asked_ << " cases, " << wrong_ << " wrong\n"
-                     << first_mistakes_.str());
-    CHECK(wrong_ == 0);
-  }
-
- private:
-  long asked_ = 0;
-  long wrong_ = 0;
-  std::ostringstream first_mistakes_;
 };
 
 /// The cases of an ordinary run in each space.
@@ -85,16 +62,30 @@ struct Aim {
   int high = 70;
 };
 
-/// The scalar and the dimension of a shape.
-template <class Shape>
-struct SpaceOf;
-template <template <Scalar, int> class Shape, Scalar S, int N>
-struct SpaceOf<Shape<S, N>> {
-  using type = test::Space<S, N>;
+/// Lines through a common point.
+template <Scalar S, int N>
+class Pencil {
+ public:
+  explicit Pencil(Draw<S, N>& draw)
+      : draw_(draw),
+        reach_(std::min(draw.scale(), draw.limit / 16)),
+        common_(draw.point(draw.limit / 4)) {}
+
+  Raw<N> way() const { return draw_.point(reach_); }
+  /// `from` to `to` times `way` from the common point; off the line by a raw unit now and then.
+  Vec<S, N> point(const Raw<N>& way, std::int64_t from, std::int64_t to) const {
+    const auto exact = draw_.plus(common_, way, draw_.random.between(from, to));
+    return draw_.vec(draw_.random.one_in(8) ? draw_.near(exact, 1) : exact);
+  }
+
+ private:
+  Draw<S, N>& draw_;
+  std::int64_t reach_;
+  Raw<N> common_;
 };
 
-/// Runs `count` random queries of every kind on pairs of the shapes A and B; `more(exam)` adds
-/// further families.
+/// Runs `count` random queries of every kind on pairs of the shapes A and B; `more(exam, draw,
+/// random)` adds further families.
 template <class A, class B, class More>
 void examine_pair(std::uint64_t seed, long count, Aim aim, const More& more) {
   using S = typename SpaceOf<A>::type::scalar;
@@ -113,12 +104,12 @@ void examine_pair(std::uint64_t seed, long count, Aim aim, const More& more) {
   family("tiny", Kind::tiny, 10, 1, 99);
   family("extreme", Kind::extreme, 15, 0, 99);
   family("degenerate", Kind::degenerate, 10, 1, 99);
-  more(exam);
-  exam.finish();
+  more(exam, exam.draw, exam.draw.random);
+  exam.finish(count);
 }
 template <class A, class B>
 void examine_pair(std::uint64_t seed, long count, Aim aim = {}) {
-  examine_pair<A, B>(seed, count, aim, [](auto&) {});
+  examine_pair<A, B>(seed, count, aim, [](auto&...) {});
 }
 
 }  // namespace detent::oracle

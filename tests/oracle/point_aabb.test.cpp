@@ -5,23 +5,16 @@ namespace detent::oracle {
 namespace {
 
 template <Scalar S, int N>
-void examine(std::uint64_t seed, long count) {
-  PointExam<S, N> exam(seed);
-  auto& draw = exam.draw;
-  auto& random = draw.random;
-  using D = Draw<S, N>;
-  const auto question = [](const Raw<N>& min, const Raw<N>& max, const Raw<N>& point) {
-    return std::pair{Aabb<S, N>{D::vec(min), D::vec(max)}, D::vec(point)};
-  };
+void draw_cases(PointExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, long count) {
   // A box around `center` with sides up to twice `reach`, which may be flat or, rarely, inverted.
   const auto around = [&](const Raw<N>& center, std::int64_t reach, const Raw<N>& point) {
     auto min = center, max = center;
-    for (std::size_t i = 0; i < D::size; ++i) {
+    for (std::size_t i = 0; i < draw.size; ++i) {
       const auto half = random.one_in(50) ? -1 : random.between(0, reach);
       min[i] -= half;
       max[i] += half;
     }
-    return question(min, max, point);
+    return std::pair{from_raw<Aabb<S, N>>(min, max), draw.vec(point)};
   };
 
   exam.family("random", count * 5 / 10, 30, 70, [&] {
@@ -35,16 +28,14 @@ void examine(std::uint64_t seed, long count) {
   });
   exam.family("extreme", count * 2 / 10, 1, 70, [&] {
     auto min = draw.extreme_point(), max = draw.extreme_point();
-    for (std::size_t i = 0; i < D::size; ++i) {
+    for (std::size_t i = 0; i < draw.size; ++i) {
       if (max[i] < min[i] && !random.one_in(20)) std::swap(min[i], max[i]);
     }
-    return question(min, max, draw.extreme_point());
+    return std::pair{from_raw<Aabb<S, N>>(min, max), draw.vec(draw.extreme_point())};
   });
-
-  exam.finish();
 }
 
-DETENT_ORACLE_TEST("point and AABB", 0xf201c, point_cases, 2 * point_cases)
+DETENT_POINT_TEST("point and AABB", 0xf201c, point_cases, 2 * point_cases)
 
 }  // namespace
 }  // namespace detent::oracle

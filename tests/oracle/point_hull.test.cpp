@@ -8,10 +8,7 @@ namespace detent::oracle {
 namespace {
 
 template <Scalar S, int N>
-void examine(std::uint64_t seed, long count) {
-  PointExam<S, N> exam(seed);
-  auto& draw = exam.draw;
-  auto& random = draw.random;
+void draw_cases(PointExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, long count) {
   const auto family = [&](const char* name, Kind kind, int percent, int low, int high) {
     exam.family(name, count * percent / 100, low, high, [&] {
       const auto setting = draw_setting(draw, kind, 1);
@@ -38,10 +35,9 @@ void examine(std::uint64_t seed, long count) {
   family("tiny", Kind::tiny, 10, 10, 90);
   family("extreme", Kind::extreme, 15, 1, 80);
   family("degenerate", Kind::degenerate, 10, 5, 90);
-  exam.finish();
 }
 
-DETENT_ORACLE_TEST("point and hull", 0x4114, point_cases / 10, point_cases / 10)
+DETENT_POINT_TEST("point and hull", 0x4114, point_cases / 10, point_cases / 10)
 
 }  // namespace
 }  // namespace detent::oracle

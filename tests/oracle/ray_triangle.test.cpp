@@ -1,30 +1,26 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/exam.hpp"
+#include "oracle/ray_exam.hpp"
 
 namespace detent::oracle {
 namespace {
 
 template <Scalar S, int N>
-void examine(std::uint64_t seed, long count) {
-  Exam<S, N> exam(seed);
-  auto& draw = exam.draw;
-  auto& random = draw.random;
-  using D = Draw<S, N>;
+void draw_cases(RayExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, long count) {
   using Corners = std::array<Raw<N>, 3>;
   const auto question = [&](const Raw<N>& origin, const Direction<S, N>& direction, S max_distance,
                             const Corners& corners) {
     const auto first = random.below(3);
     const bool other_way = random.coin();
     const auto corner = [&](std::size_t i) {
-      return D::vec(corners[(first + (other_way ? 3 - i : i)) % 3]);
+      return draw.vec(corners[(first + (other_way ? 3 - i : i)) % 3]);
     };
-    return std::pair{Ray<S, N>{D::vec(origin), direction, max_distance},
+    return std::pair{draw.ray(origin, direction, max_distance),
                      Triangle<S, N>{corner(0), corner(1), corner(2)}};
   };
   // a + u (b - a) + v (c - a) on the grid, u and v in 1/1024.
-  const auto at = [](const Corners& t, std::int64_t u, std::int64_t v) {
+  const auto at = [&](const Corners& t, std::int64_t u, std::int64_t v) {
     Raw<N> result = t[0];
-    for (std::size_t i = 0; i < D::size; ++i) {
+    for (std::size_t i = 0; i < draw.size; ++i) {
       result[i] += (u * (t[1][i] - t[0][i]) + v * (t[2][i] - t[0][i])) / 1024;
     }
     return result;
@@ -47,44 +43,43 @@ void examine(std::uint64_t seed, long count) {
     const auto direction = random.one_in(3) ? draw.axis_direction() : draw.any_direction();
     const auto target =
         draw.near(at(t, random.coin() ? random.between(0, 1024) : 0, 0), random.coin() ? 1 : 0);
-    const auto origin = D::moved(target, direction, -random.between(-scale / 4, 2 * scale));
+    const auto origin = draw.moved(target, direction, -random.between(-scale / 4, 2 * scale));
     return question(origin, direction, draw.reach(scale), t);
   });
 
   // Exactly through a corner, or through a point that divides an edge into integer parts.
   exam.family("tangent", count * 15 / 100, 30, 95, [&] {
     const auto& frame = draw.frame();
-    const auto scale = std::min(draw.scale(), D::limit / 4);
+    const auto scale = std::min(draw.scale(), draw.limit / 4);
     const auto steps = scale / frame.norm + 1;
     const auto target = draw.point(scale);
     const auto edge = draw.point(std::max<std::int64_t>(1, scale / 64));
-    const Corners t{D::plus(target, edge, random.between(0, 32)),
-                    D::plus(target, edge, -random.between(0, 32)), draw.point(scale)};
+    const Corners t{draw.plus(target, edge, random.between(0, 32)),
+                    draw.plus(target, edge, -random.between(0, 32)), draw.point(scale)};
     const auto axis = random.one_in(3) ? draw.unit() : frame.axes[0];
     const auto norm = axis == frame.axes[0] ? frame.norm : 1;
-    auto origin = D::plus(target, axis, -random.between(-steps / 4, norm == 1 ? scale : steps));
-    if (random.one_in(4)) origin[random.below(D::size)] += random.between(-1, 1);
-    return question(origin, D::stretched(axis, norm), draw.reach(scale), t);
+    auto origin = draw.plus(target, axis, -random.between(-steps / 4, norm == 1 ? scale : steps));
+    if (random.one_in(4)) origin[random.below(draw.size)] += random.between(-1, 1);
+    return question(origin, draw.stretched(axis, norm), draw.reach(scale), t);
   });
 
   // Ray and triangle exactly coplanar, or a corner or the ray's start a raw unit off. In 2D that is
   // another way to draw rays along edges.
   exam.family("coplanar", count * 12 / 100, 15, 90, [&] {
     const auto& frame = draw.frame();
-    const auto steps = std::max<std::int64_t>(
-        2, (D::limit / 8) / frame.norm >> random.below(static_cast<unsigned>(S::bits)));
-    const auto base = draw.point(D::limit / 4);
+    const auto steps = std::max<std::int64_t>(2, draw.steps(draw.limit / 8, frame.norm));
+    const auto base = draw.point(draw.limit / 4);
     const auto in_plane = [&](std::int64_t reach) {
-      return D::plus(D::plus(base, frame.axes[0], random.between(-reach, reach)), frame.axes[1],
-                     random.between(-reach, reach));
+      return draw.plus(draw.plus(base, frame.axes[0], random.between(-reach, reach)), frame.axes[1],
+                       random.between(-reach, reach));
     };
     Corners t{in_plane(steps), in_plane(steps), in_plane(steps)};
     auto origin = random.coin() ? in_plane(steps)
-                                : D::plus(t[0], frame.axes[0], random.between(-steps, steps));
-    if (random.one_in(4)) t[1] = D::plus(t[0], frame.axes[0], random.between(-steps, steps));
+                                : draw.plus(t[0], frame.axes[0], random.between(-steps, steps));
+    if (random.one_in(4)) t[1] = draw.plus(t[0], frame.axes[0], random.between(-steps, steps));
     if (random.one_in(8)) origin = draw.near(origin, 1);
     if (random.one_in(8)) t[2] = draw.near(t[2], 1);
-    const auto direction = D::stretched(frame.axes[0], frame.norm);
+    const auto direction = draw.stretched(frame.axes[0], frame.norm);
     return question(origin, random.one_in(8) ? draw.disturbed(direction) : direction,
                     draw.reach(steps), t);
   });
@@ -92,29 +87,28 @@ void examine(std::uint64_t seed, long count) {
   // A segment or a point that is hit exactly, crossed, followed, or missed by a raw unit.
   exam.family("collapsed", count * 12 / 100, 15, 90, [&] {
     const auto& frame = draw.frame();
-    const auto steps = std::max<std::int64_t>(
-        2, (D::limit / 8) / frame.norm >> random.below(static_cast<unsigned>(S::bits)));
-    const auto target = draw.point(D::limit / 4);
-    Raw<N> edge = frame.axes[random.below(D::size)];
+    const auto steps = std::max<std::int64_t>(2, draw.steps(draw.limit / 8, frame.norm));
+    const auto target = draw.point(draw.limit / 4);
+    Raw<N> edge = frame.axes[random.below(draw.size)];
     if (random.coin()) edge = draw.point(frame.norm);
     if (random.one_in(8)) edge = Raw<N>{};
     Corners t{target, target, target};
-    for (auto& corner : t) corner = D::plus(corner, edge, random.between(-steps, steps));
+    for (auto& corner : t) corner = draw.plus(corner, edge, random.between(-steps, steps));
     if (random.one_in(8)) t[2] = draw.near(t[2], 1);
-    auto origin = D::plus(target, frame.axes[0], -random.between(-steps / 4, steps));
+    auto origin = draw.plus(target, frame.axes[0], -random.between(-steps / 4, steps));
     if (random.one_in(8)) origin = draw.near(origin, 1);
-    return question(origin, D::stretched(frame.axes[0], frame.norm), draw.reach(steps), t);
+    return question(origin, draw.stretched(frame.axes[0], frame.norm), draw.reach(steps), t);
   });
 
   // Nearly along an edge, at angles to it and to the triangle's plane down to the last bit.
   exam.family("shallow", count * 6 / 100, 10, 90, [&] {
     const auto scale = draw.scale();
     const Corners t{draw.point(scale), draw.point(scale), draw.point(scale)};
-    const auto angle = scale >> random.below(static_cast<unsigned>(S::bits));
+    const auto angle = draw.shrunk(scale);
     const auto direction = draw.disturbed(draw.towards(t[0], draw.near(t[1], angle)));
     const auto v = random.coin() ? 0 : random.between(0, 64);
     const auto target = draw.near(at(t, random.between(0, 1024 - v), v), random.coin() ? 1 : 0);
-    const auto origin = D::moved(target, direction, -random.between(-scale / 4, 2 * scale));
+    const auto origin = draw.moved(target, direction, -random.between(-scale / 4, 2 * scale));
     return question(origin, direction, draw.reach(scale), t);
   });
 
@@ -132,7 +126,7 @@ void examine(std::uint64_t seed, long count) {
     const auto& frame = draw.frame();
     const Corners t{draw.point(4), draw.point(4), draw.point(4)};
     const auto origin = draw.point(6);
-    const auto direction = random.one_in(3)   ? D::stretched(frame.axes[0], frame.norm)
+    const auto direction = random.one_in(3)   ? draw.stretched(frame.axes[0], frame.norm)
                            : random.one_in(3) ? draw.axis_direction()
                                               : draw.towards(origin, t[random.below(3)]);
     return question(origin, direction, draw.reach(4), t);
@@ -145,10 +139,9 @@ void examine(std::uint64_t seed, long count) {
                            : random.one_in(3)
                                ? draw.any_direction()
                                : draw.towards(origin, at(t, random.between(0, 1024), 0));
-    return question(origin, direction, random.one_in(3) ? D::scalar(draw.extreme()) : S::max(), t);
+    return question(origin, direction, random.one_in(3) ? draw.scalar(draw.extreme()) : S::max(),
+                    t);
   });
-
-  exam.finish(count);
 }
 
 /// An integer vector with a component that, once normalised, is almost halfway between two grid
@@ -181,8 +174,8 @@ TEMPLATE_TEST_CASE("ray against triangle: normals halfway between two are rounde
   using S = TestType;
   using Plane = Draw<S, 2>;
   using World = Draw<S, 3>;
-  Exam<S, 2> exam(0x71e5);
-  Exam<S, 3> exam_3d(0x71e53);
+  RayExam<S, 2> exam(0x71e5);
+  RayExam<S, 3> exam_3d(0x71e53);
   constexpr int frac = direction_component<S>::frac;
   constexpr auto limit = std::int64_t{1} << (S::bits - 1);
   const auto half = [](const Raw<2>& v) { return Raw<2>{v[0] / 2, v[1] / 2}; };
@@ -212,7 +205,7 @@ TEMPLATE_TEST_CASE("ray against triangle: normals halfway between two are rounde
   exam_3d.finish(5'000);
 }
 
-DETENT_ORACLE_TEST("ray against triangle", 0x7419, cases<TestType>, 1'000'000)
+DETENT_RAY_TEST("ray against triangle", 0x7419, cases<TestType>, 1'000'000)
 
 }  // namespace
 }  // namespace detent::oracle

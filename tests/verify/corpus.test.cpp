@@ -192,11 +192,11 @@ TEST_CASE("corpus: every shape is touched, started in, grazed along and hit at a
     CHECK(seen.along_axis >= full_size / 20);
     CHECK(seen.at_ends_of_range > 0);
   };
-  check("sphere", occasions<Spheres>());
-  check("aabb", occasions<Aabbs>());
-  check("obb", occasions<Obbs>());
-  check("plane", occasions<Planes>());
-  check("triangle", occasions<Triangles>());
+  check("sphere", occasions<AimedRays<SphereKind>>());
+  check("aabb", occasions<AimedRays<AabbKind>>());
+  check("obb", occasions<AimedRays<ObbKind>>());
+  check("plane", occasions<AimedRays<PlaneKind>>());
+  check("triangle", occasions<AimedRays<TriangleKind>>());
 }
 
 TEST_CASE(

@@ -35,8 +35,8 @@ plant include/detent/query/closest_point/sphere.hpp \
 # The other shapes would only take time.
 plant src/verify/corpus.hpp \
   's/^using Parts = .*;/using Parts = List<SolidRays, RoundPoints>;/'
-plant src/verify/corpus.hpp 's/List<Spheres, .*>;/List<Spheres>;/'
-plant src/verify/corpus.hpp 's/List<Points<SphereKind>, .*>;/List<Points<SphereKind>>;/'
+plant src/verify/corpus.hpp 's/("SolidRays", AimedRays<SphereKind>), .*>;/\1>;/'
+plant src/verify/corpus.hpp 's/("RoundPoints", Points<SphereKind>), .*>;/\1>;/'
 
 # Keeps the golden values of the first group and of the eighth: 3 and 4 queries in 8 cells each.
 awk '

@@ -226,20 +226,9 @@ inline constexpr bool is_compound_body<BodyCompound<S, N>> = true;
 template <Scalar S, int N>
 inline constexpr std::uint8_t shape_tag<BodyCompound<S, N>> = 13;
 
-/// A compound in the frame of its body, about its center of mass.
 template <Scalar S, int N>
-struct LocalCompound {
-  BodyCompound<S, N> shape{};
-  Vec<typename Formats<S>::Place, N> center{};
-  Vec<typename Formats<S>::Ratio, BodyState<S, N>::orientation_size> orientation{};
-};
-template <Scalar S, int N>
-[[nodiscard]] constexpr LocalCompound<S, N> local_form(const BodyCompound<S, N>& body) noexcept {
-  BodyCompound<S, N> shape;
-  shape.asset = body.asset;
-  const auto center = body.asset ? body.asset->center() : decltype(body.asset->mass().center){};
-  return {shape, placed_center(body.translation, body.rotation, center),
-          orientation_of(body.rotation)};
+[[nodiscard]] constexpr auto local_form(const BodyCompound<S, N>& body) noexcept {
+  return centered_form(body);
 }
 
 template <Scalar S, int N>

@@ -160,10 +160,9 @@ DETENT_BEGIN_LONG_LANES
 /// The passes of solve.hpp for all contacts of a group at once, with the same bits. Each function
 /// returns false, and changes nothing, if some number left its range and must be clamped.
 template <class L, Scalar S>
-class GroupSolver {
+class GroupSolver : FourPairs<L, S> {
   using F = Formats<S>;
   using Speed = typename F::Speed;
-  using Spin = typename F::Spin;
   using Sum = typename F::Sum;
   using Ratio = typename F::Ratio;
   using Impulse = typename F::Impulse;
@@ -171,16 +170,14 @@ class GroupSolver {
   using Push = typename Group::Push;
   using Lever = typename Group::Lever;
   using Motions = FourMotions<S, L>;
+  using Pairs = FourPairs<L, S>;
+  using Pairs::a_, Pairs::b_, Pairs::bodies_a_, Pairs::bodies_b_, Pairs::round_;
   template <class T>
   using Side = Four<T, L>;
 
  public:
   GroupSolver(Group& group, Moving<S, 3>* bodies) noexcept
-      : group_(group),
-        bodies_a_(bodies, group.a),
-        bodies_b_(bodies, group.b),
-        a_(bodies_a_.motions()),
-        b_(bodies_b_.motions()) {}
+      : Pairs(bodies, group.a, group.b), group_(group) {}
 
   [[nodiscard]] bool warm_start() noexcept {
     for (std::size_t i = 0; i < group_.count; ++i) {
@@ -248,17 +245,10 @@ class GroupSolver {
                                           turning(lever, a, b));
   }
   void turn(const Lever& lever, const Side<Impulse>& impulse) noexcept {
-    using Response = Side<typename F::Response>;
-    for (std::size_t i = 0; i < 3; ++i) {
-      a_.spin[i] = round_.minus_nearest(a_.spin[i], Response(lever.response_a[i]) * impulse);
-      b_.spin[i] = round_.plus_nearest(b_.spin[i], Response(lever.response_b[i]) * impulse);
-    }
+    Pairs::template turn<typename F::Response>(lever.response_a, lever.response_b, impulse);
   }
   void apply(const Push& push, const Lever& lever, const Side<Impulse>& impulse) noexcept {
-    for (std::size_t i = 0; i < 3; ++i) {
-      a_.velocity[i] = round_.minus_nearest(a_.velocity[i], Side<Ratio>(push.on_a[i]) * impulse);
-      b_.velocity[i] = round_.plus_nearest(b_.velocity[i], Side<Ratio>(push.on_b[i]) * impulse);
-    }
+    for (std::size_t i = 0; i < 3; ++i) Pairs::push(i, push.on_a[i], push.on_b[i], impulse);
     turn(lever, impulse);
   }
 
@@ -338,17 +328,9 @@ class GroupSolver {
     for (std::size_t t = 0; t < 2; ++t) frictions[t] = Side<Impulse>(each[t]);
   }
 
-  [[nodiscard]] bool store() noexcept {
-    if (round_.is_beyond()) return false;
-    bodies_a_.store(a_, group_.pushes_a);
-    bodies_b_.store(b_, group_.pushes_b);
-    return true;
-  }
+  [[nodiscard]] bool store() noexcept { return Pairs::store(group_.pushes_a, group_.pushes_b); }
 
   Group& group_;
-  FourBodies<S, L> bodies_a_, bodies_b_;
-  Motions a_, b_;
-  FourRounder<L> round_;
 };
 
 DETENT_END_LONG_LANES

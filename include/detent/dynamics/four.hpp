@@ -312,6 +312,47 @@ class FourBodies {
   L after_;  // the word that follows the velocities
 };
 
+/// The two bodies of each of four contacts or joints, for a solver to change their motions.
+template <class L, Scalar S>
+class FourPairs {
+  using Ratio = Four<typename Formats<S>::Ratio, L>;
+
+ protected:
+  FourPairs(Moving<S, 3>* bodies, const Quad<std::uint32_t>& a,
+            const Quad<std::uint32_t>& b) noexcept
+      : bodies_a_(bodies, a),
+        bodies_b_(bodies, b),
+        a_(bodies_a_.motions()),
+        b_(bodies_b_.motions()) {}
+
+  /// Changes component i of the velocities by an impulse times these numbers.
+  template <class Times, class Impulse>
+  void push(std::size_t i, const Times& on_a, const Times& on_b, const Impulse& by) noexcept {
+    a_.velocity[i] = round_.minus_nearest(a_.velocity[i], Ratio(on_a) * by);
+    b_.velocity[i] = round_.plus_nearest(b_.velocity[i], Ratio(on_b) * by);
+  }
+  /// Changes the spins by an impulse times these vectors of `T`.
+  template <class T, class Times, class Impulse>
+  void turn(const Times& on_a, const Times& on_b, const Impulse& by) noexcept {
+    for (std::size_t i = 0; i < 3; ++i) {
+      a_.spin[i] = round_.minus_nearest(a_.spin[i], Four<T, L>(on_a[i]) * by);
+      b_.spin[i] = round_.plus_nearest(b_.spin[i], Four<T, L>(on_b[i]) * by);
+    }
+  }
+  /// Writes the velocities of the bodies that have a mark. Returns false, and has changed nothing,
+  /// if some number left its range.
+  [[nodiscard]] bool store(const Quad<bool>& marks_a, const Quad<bool>& marks_b) noexcept {
+    if (round_.is_beyond()) return false;
+    bodies_a_.store(a_, marks_a);
+    bodies_b_.store(b_, marks_b);
+    return true;
+  }
+
+  FourBodies<S, L> bodies_a_, bodies_b_;
+  FourMotions<S, L> a_, b_;
+  FourRounder<L> round_;
+};
+
 DETENT_END_LONG_LANES
 
 }  // namespace detent::detail

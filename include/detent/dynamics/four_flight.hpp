@@ -157,31 +157,33 @@ template <class T, class L>
   return {FourLong<T, L>(v[0]), FourLong<T, L>(v[1]), FourLong<T, L>(v[2])};
 }
 
-/// Sums of axes[i][k] v[i] over i (`out_of_four`), and of axes[i][k] v[k] over k (`into_four`),
-/// each rounded once.
+/// The sums over c of at(r, c) v[c], each rounded once.
+template <class To, Scalar S, class T, class L, class At>
+[[nodiscard]] std::array<Four<To, L>, 3> product_four(const At& at, const FourLongs<T, L>& v,
+                                                      FourRounder<L>& round) noexcept {
+  std::array<Four<To, L>, 3> result;
+  for (std::size_t r = 0; r < 3; ++r) {
+    FourLongSum<Formats<S>::Ratio::frac + T::frac, L> sum;
+    for (std::size_t c = 0; c < 3; ++c) sum.add(at(r, c), v[c]);
+    result[r] = round.template nearest<To>(sum);
+  }
+  return result;
+}
+/// The vector whose coordinates along the axes are v, and the coordinates of v along them; each
+/// number is rounded once.
 template <class To, Scalar S, class T, class L>
 [[nodiscard]] std::array<Four<To, L>, 3> out_of_four(const FourAxes<S, L>& axes,
                                                      const FourLongs<T, L>& v,
                                                      FourRounder<L>& round) noexcept {
-  std::array<Four<To, L>, 3> result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    FourLongSum<Formats<S>::Ratio::frac + T::frac, L> sum;
-    for (std::size_t i = 0; i < 3; ++i) sum.add(axes[i][k], v[i]);
-    result[k] = round.template nearest<To>(sum);
-  }
-  return result;
+  const auto at = [&](std::size_t r, std::size_t c) -> const auto& { return axes[c][r]; };
+  return product_four<To, S>(at, v, round);
 }
 template <class To, Scalar S, class T, class L>
 [[nodiscard]] std::array<Four<To, L>, 3> into_four(const FourAxes<S, L>& axes,
                                                    const FourLongs<T, L>& v,
                                                    FourRounder<L>& round) noexcept {
-  std::array<Four<To, L>, 3> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    FourLongSum<Formats<S>::Ratio::frac + T::frac, L> sum;
-    for (std::size_t k = 0; k < 3; ++k) sum.add(axes[i][k], v[k]);
-    result[i] = round.template nearest<To>(sum);
-  }
-  return result;
+  const auto at = [&](std::size_t r, std::size_t c) -> const auto& { return axes[r][c]; };
+  return product_four<To, S>(at, v, round);
 }
 
 /// `in_world` for four matrices: R m R^T, rounded after each product.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <type_traits>
+
 #include "detent/dynamics/terrain.hpp"
 #include "detent/math/quat.hpp"
 #include "detent/number/min_max.hpp"
@@ -12,11 +14,11 @@
 namespace detent::detail {
 
 /// A shape in the frame of its body, and that frame in the world: its origin is the center, rounded
-/// down to the scalar's grid.
-template <Scalar S, int N, class Shape>
+/// down to the scalar's grid, or the center of mass.
+template <Scalar S, int N, class Shape, class Center = S>
 struct Local {
   Shape shape{};
-  Vec<S, N> center{};
+  Vec<Center, N> center{};
   Vec<typename Formats<S>::Ratio, BodyState<S, N>::orientation_size> orientation{};
 };
 
@@ -84,20 +86,19 @@ template <Scalar S, int N, Number C>
   });
 }
 
-/// A hull in the frame of its body, relative to its center of mass.
-template <Scalar S, int N>
-struct LocalHull {
-  BodyHull<S, N> shape{};
-  Vec<typename Formats<S>::Place, N> center{};
-  Vec<typename Formats<S>::Ratio, BodyState<S, N>::orientation_size> orientation{};
-};
-template <Scalar S, int N>
-[[nodiscard]] constexpr LocalHull<S, N> local_form(const BodyHull<S, N>& body) noexcept {
-  BodyHull<S, N> shape;
+/// A hull or compound in the frame of its body, relative to its center of mass.
+template <template <Scalar, int> class Body, Scalar S, int N>
+[[nodiscard]] constexpr auto centered_form(const Body<S, N>& body) noexcept {
+  Body<S, N> shape;
   shape.asset = body.asset;
-  const auto center = body.asset ? body.asset->center() : decltype(body.asset->center()){};
-  return {shape, placed_center(body.translation, body.rotation, center),
-          orientation_of(body.rotation)};
+  const auto center =
+      body.asset ? body.asset->center() : std::remove_cvref_t<decltype(body.asset->center())>{};
+  return Local<S, N, Body<S, N>, typename Formats<S>::Place>{
+      shape, placed_center(body.translation, body.rotation, center), orientation_of(body.rotation)};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto local_form(const BodyHull<S, N>& body) noexcept {
+  return centered_form(body);
 }
 
 /// A surface in the frame of its body, which is its asset's frame.

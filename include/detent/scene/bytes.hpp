@@ -13,77 +13,73 @@
 
 namespace detent::detail {
 
-/// Writes the bytes that a digest would read, while there is room, and counts all of them.
-class Writer {
+/// Takes values apart into the words that a digest would read; `To::put(word)` gets each.
+template <class To>
+class WordSink {
  public:
-  Writer() noexcept = default;
-  explicit constexpr Writer(std::span<std::byte> room) noexcept : room_(room) {}
-
   template <class... Values>
   constexpr void add(const Values&... values) noexcept {
     (add_one(values), ...);
   }
-  [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
 
  private:
   template <class T>
   constexpr void add_one(const T& value) noexcept {
+    auto& to = static_cast<To&>(*this);
     if constexpr (requires { typename Word<T>; }) {
-      const auto end = size_ + sizeof(Word<T>);
-      if (end <= room_.size()) store_word(room_.data() + size_, to_word(value));
-      size_ = end;
+      to.put(to_word(value));
     } else {
-      append(*this, value);
+      append(to, value);
     }
   }
+};
 
+/// Writes the bytes that a digest would read, while there is room, and counts all of them.
+class Writer : public WordSink<Writer> {
+ public:
+  Writer() noexcept = default;
+  explicit constexpr Writer(std::span<std::byte> room) noexcept : room_(room) {}
+
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+
+  template <class W>
+  constexpr void put(W word) noexcept {
+    const auto end = size_ + sizeof(W);
+    if (end <= room_.size()) store_word(room_.data() + size_, word);
+    size_ = end;
+  }
+
+ private:
   std::span<std::byte> room_;
   std::size_t size_ = 0;
 };
 
 /// Counts the bytes that `Writer` would write.
-class ByteCounter {
+class ByteCounter : public WordSink<ByteCounter> {
  public:
-  template <class... Values>
-  constexpr void add(const Values&... values) noexcept {
-    (add_one(values), ...);
-  }
   [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
 
- private:
-  template <class T>
-  constexpr void add_one(const T& value) noexcept {
-    if constexpr (requires { typename Word<T>; }) {
-      size_ += sizeof(Word<T>);
-    } else {
-      append(*this, value);
-    }
+  template <class W>
+  constexpr void put(W) noexcept {
+    size_ += sizeof(W);
   }
 
+ private:
   std::size_t size_ = 0;
 };
 
 /// Writes what `Writer` would without bounds checks.
-class Storer {
+class Storer : public WordSink<Storer> {
  public:
   explicit constexpr Storer(std::byte* to) noexcept : to_(to) {}
 
-  template <class... Values>
-  constexpr void add(const Values&... values) noexcept {
-    (add_one(values), ...);
+  template <class W>
+  constexpr void put(W word) noexcept {
+    store_word(to_, word);
+    to_ += sizeof(W);
   }
 
  private:
-  template <class T>
-  constexpr void add_one(const T& value) noexcept {
-    if constexpr (requires { typename Word<T>; }) {
-      store_word(to_, to_word(value));
-      to_ += sizeof(Word<T>);
-    } else {
-      append(*this, value);
-    }
-  }
-
   std::byte* to_;
 };
 

@@ -47,7 +47,7 @@ class RayScene : public Stage<S, N> {
 
   using Base::Base;
 
-  constexpr Case<Sphere<S, N>> sphere() noexcept {
+  constexpr Case<Sphere<S, N>> draw(Type<Sphere<S, N>>) noexcept {
     begin();
     auto radius = extent();
     auto target = center_;
@@ -67,7 +67,7 @@ class RayScene : public Stage<S, N> {
     return {ray, {Base::vec(center_), Base::scalar(radius)}};
   }
 
-  constexpr Case<Aabb<S, N>> aabb() noexcept {
+  constexpr Case<Aabb<S, N>> draw(Type<Aabb<S, N>>) noexcept {
     begin();
     Point half, target = center_;
     for (int i = 0; i < N; ++i) {
@@ -78,7 +78,7 @@ class RayScene : public Stage<S, N> {
     return {ray, {Base::vec(center_ - half), Base::vec(center_ + half)}};
   }
 
-  constexpr Case<Obb<S, N>> obb() noexcept {
+  constexpr Case<Obb<S, N>> draw(Type<Obb<S, N>>) noexcept {
     begin();
     Point half, target = center_;
     if (!extreme_ && random.coin()) {
@@ -103,7 +103,7 @@ class RayScene : public Stage<S, N> {
     return {ray, {Base::vec(center_), Base::vec(half), Base::rotation(axes)}};
   }
 
-  constexpr Case<Plane<S, N>> plane() noexcept {
+  constexpr Case<Plane<S, N>> draw(Type<Plane<S, N>>) noexcept {
     begin();
     const auto facing = random.one_in(4) ? Facing::front : Facing::both;
     if (random.one_in(4)) {
@@ -127,7 +127,7 @@ class RayScene : public Stage<S, N> {
     return {ray, {Base::direction(normal), Base::scalar(offset)}, facing};
   }
 
-  constexpr Case<Triangle<S, N>> triangle() noexcept {
+  constexpr Case<Triangle<S, N>> draw(Type<Triangle<S, N>>) noexcept {
     begin();
     const auto facing = N == 3 && random.one_in(6) ? Facing::front : Facing::both;
     // Corners on a coarse grid relative to the first, so that sixteenths of the edges are exact

@@ -47,10 +47,6 @@ template <Scalar S, int N>
   return {std::span(hull.points).first(hull.count)};
 }
 
-/// A type of shapes as a value.
-template <class Shape>
-struct Type {};
-
 /// Draws shapes around one spot of a stage.
 ///
 /// Each shape is on one side of a plane through the spot, whose normal is an axis of an exact

@@ -5,6 +5,10 @@
 
 namespace detent::verify {
 
+/// A type of shapes as a value.
+template <class Shape>
+struct Type {};
+
 /// The position and size of a case: anywhere in the world, at a scale from a few raw units to the
 /// whole range. One case in eight is built from extreme numbers instead.
 template <Scalar S, int N>

@@ -8,6 +8,7 @@
 
 #include "detent/query/cast.hpp"
 #include "detent/query/time_of_impact.hpp"
+#include "verify/questions/cases.hpp"
 #include "verify/questions/kinds.hpp"
 #include "verify/questions/pairs.hpp"
 
@@ -21,11 +22,11 @@ struct CastCase {
   Direction<S, N> direction;
   S max_distance;
   Second target;
+
+  constexpr auto fields(const auto& f) const noexcept {
+    return f(shape, direction, max_distance, target);
+  }
 };
-template <class D, Scalar S, int N, class First, class Second>
-constexpr void append(D& digest, const CastCase<S, N, First, Second>& c) noexcept {
-  digest.add(c.shape, c.direction, c.max_distance, c.target);
-}
 
 template <class First, class Second, int... Dimensions>
 struct Casts : PairGroup<Dimensions...> {
@@ -56,11 +57,9 @@ struct ImpactCase {
   Sweep<S, N> sweep_a;
   Second b;
   Sweep<S, N> sweep_b;
+
+  constexpr auto fields(const auto& f) const noexcept { return f(a, sweep_a, b, sweep_b); }
 };
-template <class D, Scalar S, int N, class First, class Second>
-constexpr void append(D& digest, const ImpactCase<S, N, First, Second>& c) noexcept {
-  digest.add(c.a, c.sweep_a, c.b, c.sweep_b);
-}
 
 /// Draws shapes around the origins of their frames, and their motions: mostly so that they pass
 /// close to each other.

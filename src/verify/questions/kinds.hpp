@@ -16,6 +16,9 @@ struct Kind {
   static constexpr std::string_view name = detail::ShapeFields<Shape<Example, 3>>::name;
 
   template <Scalar S, int N>
+  using Of = Shape<S, N>;
+
+  template <Scalar S, int N>
   static constexpr auto draw(ShapeScene<S, N>& scene) noexcept {
     return scene.draw(Type<Shape<S, N>>());
   }

@@ -10,6 +10,7 @@
 #include "detent/scene/height_field.hpp"
 #include "detent/scene/mesh.hpp"
 #include "verify/draw/surfaces.hpp"
+#include "verify/questions/cases.hpp"
 #include "verify/questions/listed.hpp"
 
 // Surfaces of triangles, whose results equal those of a loop over the triangles.
@@ -24,11 +25,11 @@ struct MeshCase {
   Segment<S, N> segment;
   Sphere<S, N> sphere;
   Obb<S, N> obb;
+
+  constexpr auto fields(const auto& f) const noexcept {
+    return f(mesh, ray, point, segment, sphere, obb);
+  }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const MeshCase<S, N>& c) noexcept {
-  digest.add(c.mesh, c.ray, c.point, c.segment, c.sphere, c.obb);
-}
 
 /// A mesh and the storage it is a view of.
 template <Scalar S>
@@ -65,10 +66,8 @@ constexpr void append(D& digest, const BuiltMesh<S>& built) noexcept {
 }
 
 /// Groups of surfaces run in 3D only and one question in twelve, because each builds its surface.
-struct SurfaceGroup {
+struct SurfaceGroup : InDimensions<3> {
   static constexpr std::uint32_t share = 12;
-  template <int N>
-  static constexpr bool asks = N == 3;
 };
 
 /// The first of these names seeds the questions. With it the first question of each cell, which
@@ -131,11 +130,9 @@ struct FieldCase {
   Ray<S, N> ray;
   Vec<S, N> point;
   Aabb<S, N> aabb;
+
+  constexpr auto fields(const auto& f) const noexcept { return f(field, ray, point, aabb); }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const FieldCase<S, N>& c) noexcept {
-  digest.add(c.field, c.ray, c.point, c.aabb);
-}
 
 /// Invalid samples make a field without triangles.
 struct HeightFields : SurfaceGroup {

@@ -11,6 +11,7 @@
 #include "detent/math/slerp.hpp"
 #include "detent/math/transform.hpp"
 #include "verify/draw/numbers.hpp"
+#include "verify/questions/cases.hpp"
 
 // Matrices, quaternions, motions and cameras.
 
@@ -43,16 +44,13 @@ template <Scalar S, int Size>
 template <Scalar S, int N>
 struct MatrixCase {
   Mat<S, N, N> matrix;
-};
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const MatrixCase<S, N>& c) noexcept {
-  digest.add(c.matrix);
-}
 
-struct Matrices {
+  static constexpr std::array<std::string_view, 1> field_names{"matrix"};
+  constexpr auto fields(const auto& f) const noexcept { return f(matrix); }
+};
+
+struct Matrices : InDimensions<2, 3> {
   static constexpr std::array<std::string_view, 2> names{"determinant", "inverse"};
-  template <int N>
-  static constexpr bool asks = N >= 2;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -91,18 +89,15 @@ struct BlendCase {
   Quat<S> p, q;
   S t;
   Vec<S, N> vector;
+
+  static constexpr std::array<std::string_view, 4> field_names{"p", "q", "t", "vector"};
+  constexpr auto fields(const auto& f) const noexcept { return f(p, q, t, vector); }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const BlendCase<S, N>& c) noexcept {
-  digest.add(c.p, c.q, c.t, c.vector);
-}
 
 /// Quaternions, some of them equal or opposite.
-struct Blends {
+struct Blends : InDimensions<3> {
   static constexpr std::array<std::string_view, 3> names{"quat/compose", "quat/slerp",
                                                          "quat/rotate"};
-  template <int N>
-  static constexpr bool asks = N == 3;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -128,17 +123,14 @@ template <Scalar S, int N>
 struct MotionCase {
   Transform<S, N> transform;
   Vec<S, N> point;
-};
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const MotionCase<S, N>& c) noexcept {
-  digest.add(c.transform, c.point);
-}
 
-struct Motions {
+  static constexpr std::array<std::string_view, 2> field_names{"transform", "point"};
+  constexpr auto fields(const auto& f) const noexcept { return f(transform, point); }
+};
+
+struct Motions : InDimensions<2, 3> {
   static constexpr std::array<std::string_view, 2> names{"transform_point",
                                                          "inverse_transform_point"};
-  template <int N>
-  static constexpr bool asks = N >= 2;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -162,17 +154,14 @@ template <Scalar S, int N>
 struct CameraCase {
   Vec<S, N> eye, target, up;
   Mat<S, N + 1, N + 1> matrix;
+
+  static constexpr std::array<std::string_view, 4> field_names{"eye", "target", "up", "matrix"};
+  constexpr auto fields(const auto& f) const noexcept { return f(eye, target, up, matrix); }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const CameraCase<S, N>& c) noexcept {
-  digest.add(c.eye, c.target, c.up, c.matrix);
-}
 
 /// Cameras; for some the target is the eye or the view is along the up vector.
-struct Cameras {
+struct Cameras : InDimensions<3> {
   static constexpr std::array<std::string_view, 2> names{"look_at", "project_point"};
-  template <int N>
-  static constexpr bool asks = N == 3;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -201,17 +190,17 @@ template <Scalar S, int N>
 struct LensCase {
   Angle<S> fov;
   S aspect, near_distance, far_distance;
+
+  static constexpr std::array<std::string_view, 4> field_names{"fov", "aspect", "near_distance",
+                                                               "far_distance"};
+  constexpr auto fields(const auto& f) const noexcept {
+    return f(fov, aspect, near_distance, far_distance);
+  }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const LensCase<S, N>& c) noexcept {
-  digest.add(c.fov.raw(), c.aspect, c.near_distance, c.far_distance);
-}
 
 /// Lenses; most of them are valid.
-struct Lenses {
+struct Lenses : InDimensions<1> {
   static constexpr std::array<std::string_view, 1> names{"perspective"};
-  template <int N>
-  static constexpr bool asks = N == 1;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -238,18 +227,15 @@ struct VectorsCase {
   Vec<S, N> u, v;
   Direction<S, N> normal;
   S t;
+
+  static constexpr std::array<std::string_view, 4> field_names{"u", "v", "normal", "t"};
+  constexpr auto fields(const auto& f) const noexcept { return f(u, v, normal, t); }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const VectorsCase<S, N>& c) noexcept {
-  digest.add(c.u, c.v, c.normal, c.t);
-}
 
 /// Two vectors; some are parallel and some zero.
-struct VectorPairs {
+struct VectorPairs : InDimensions<2, 3> {
   static constexpr std::array<std::string_view, 4> names{"angle_between", "project", "reflect",
                                                          "lerp"};
-  template <int N>
-  static constexpr bool asks = N >= 2;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);

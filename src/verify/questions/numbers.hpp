@@ -7,6 +7,7 @@
 
 #include "detent/number/text.hpp"
 #include "verify/draw/numbers.hpp"
+#include "verify/questions/cases.hpp"
 
 namespace detent::verify {
 
@@ -25,17 +26,17 @@ struct RootCase {
   S a, b;
   typename crumb_of<S, 2>::type beside_square;
   typename crumb_of<S, 4>::type beside_fourth_power;
+
+  static constexpr std::array<std::string_view, 4> field_names{"a", "b", "added to a b",
+                                                               "added to (a b)^2"};
+  constexpr auto fields(const auto& f) const noexcept {
+    return f(a, b, beside_square, beside_fourth_power);
+  }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const RootCase<S, N>& c) noexcept {
-  digest.add(c.a, c.b, c.beside_square, c.beside_fourth_power);
-}
 
 /// Roots of 64 and of 128 bits, half of them at or next to squares.
-struct Roots {
+struct Roots : InDimensions<1> {
   static constexpr std::array<std::string_view, 2> names{"sqrt_floor", "sqrt_floor/wide"};
-  template <int N>
-  static constexpr bool asks = N == 1;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -60,18 +61,15 @@ struct Roots {
 template <Scalar S, int N>
 struct QuotientCase {
   S a, b, c, d;
+
+  static constexpr std::array<std::string_view, 4> field_names{"a", "b", "c", "d"};
+  constexpr auto fields(const auto& f) const noexcept { return f(a, b, c, d); }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const QuotientCase<S, N>& c) noexcept {
-  digest.add(c.a, c.b, c.c, c.d);
-}
 
 /// Quotients of numbers, and of products of three by products of two; division by 0 included.
-struct Quotients {
+struct Quotients : InDimensions<1> {
   static constexpr std::array<std::string_view, 4> names{
       "quotient_floor", "quotient_floor/wide", "quotient_nearest", "quotient_nearest/wide"};
-  template <int N>
-  static constexpr bool asks = N == 1;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -115,17 +113,13 @@ template <Scalar S, int N>
 struct TextCase {
   Text text;
   S number;
+
+  constexpr auto fields(const auto& f) const noexcept { return f(text, number); }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const TextCase<S, N>& c) noexcept {
-  digest.add(c.text, c.number);
-}
 
 /// Decimals in every notation, malformed and out of range ones included; and numbers to print.
-struct Texts {
+struct Texts : InDimensions<1> {
   static constexpr std::array<std::string_view, 2> names{"parse", "to_chars"};
-  template <int N>
-  static constexpr bool asks = N == 1;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);

@@ -11,6 +11,7 @@
 #include "detent/query/distance.hpp"
 #include "detent/query/intersects.hpp"
 #include "detent/query/overlaps.hpp"
+#include "verify/questions/cases.hpp"
 #include "verify/questions/kinds.hpp"
 
 namespace detent::verify {
@@ -20,18 +21,15 @@ template <Scalar S, int N, class First, class Second>
 struct PairCase {
   First a;
   Second b;
+
+  constexpr auto fields(const auto& f) const noexcept { return f(a, b); }
 };
-template <class D, Scalar S, int N, class First, class Second>
-constexpr void append(D& digest, const PairCase<S, N, First, Second>& c) noexcept {
-  digest.add(c.a, c.b);
-}
 
 /// In these dimensions, or in both: each takes seconds or tens of seconds to compile.
 template <int... Dimensions>
-struct PairGroup {
-  template <int N>
-  static constexpr bool asks = sizeof...(Dimensions) == 0 ? N >= 2 : ((N == Dimensions) || ...);
-};
+struct PairGroup : InDimensions<Dimensions...> {};
+template <>
+struct PairGroup<> : InDimensions<2, 3> {};
 template <class First, class Second, int... Dimensions>
 struct PairDraw : PairGroup<Dimensions...> {
   template <Scalar S, int N>

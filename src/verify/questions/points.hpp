@@ -11,6 +11,7 @@
 #include "detent/query/contains.hpp"
 #include "detent/query/distance.hpp"
 #include "detent/query/on.hpp"
+#include "verify/questions/cases.hpp"
 #include "verify/questions/kinds.hpp"
 
 namespace detent::verify {
@@ -22,11 +23,9 @@ struct PointCase {
   Shape shape;
   Vec<S, N> point;
   S tolerance{};
+
+  constexpr auto fields(const auto& f) const noexcept { return f(shape, point, tolerance); }
 };
-template <class D, Scalar S, int N, class Shape>
-constexpr void append(D& digest, const PointCase<S, N, Shape>& c) noexcept {
-  digest.add(c.shape, c.point, c.tolerance);
-}
 
 /// A squared length for the digest: rounded down to the grid of a scalar's squares and clamped to
 /// their range, so that it does not depend on how a fraction is represented.
@@ -66,7 +65,7 @@ inline constexpr std::size_t point_rows = [] {
 }();
 
 template <class Kind>
-struct Points {
+struct Points : InDimensions<2, 3> {
   static constexpr std::size_t rows = point_rows<
       std::remove_cvref_t<decltype(as_shape(Kind::draw(std::declval<ShapeScene<q16_16, 3>&>())))>>;
   static constexpr std::array<RowName, 6> all_names{
@@ -78,9 +77,6 @@ struct Points {
     for (std::size_t row = 0; row < rows; ++row) views[row] = all_names[row].view();
     return views;
   }();
-
-  template <int N>
-  static constexpr bool asks = N >= 2;
 
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {

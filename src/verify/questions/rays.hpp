@@ -7,6 +7,7 @@
 
 #include "detent/query/raycast.hpp"
 #include "verify/draw/rays.hpp"
+#include "verify/questions/cases.hpp"
 #include "verify/questions/kinds.hpp"
 
 namespace detent::verify {
@@ -44,63 +45,31 @@ template <int Row, class Case>
   }
 }
 
-struct RayGroup {
-  template <int N>
-  static constexpr bool asks = N >= 2;
+template <class Kind>
+struct RayGroup : InDimensions<2, 3> {
+  static constexpr std::array<RowName, 3> all_names{RowName("raycast/", Kind::name),
+                                                    RowName("raycast_hit/", Kind::name),
+                                                    RowName("raycast_interval/", Kind::name)};
+  static constexpr std::array<std::string_view, 3> names{all_names[0].view(), all_names[1].view(),
+                                                         all_names[2].view()};
   template <int Row, class Case>
   [[nodiscard]] static constexpr auto answer(const Case& c) noexcept {
     return cast<Row>(c);
   }
 };
 
-struct Spheres : RayGroup {
-  static constexpr std::array<std::string_view, 3> names{"raycast/sphere", "raycast_hit/sphere",
-                                                         "raycast_interval/sphere"};
+/// Rays aimed at special places of the shape: edges, poles, tangents.
+template <class Kind>
+struct AimedRays : RayGroup<Kind> {
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
-    return RayScene<S, N>(random).sphere();
-  }
-};
-struct Aabbs : RayGroup {
-  static constexpr std::array<std::string_view, 3> names{"raycast/aabb", "raycast_hit/aabb",
-                                                         "raycast_interval/aabb"};
-  template <Scalar S, int N>
-  static constexpr auto draw(Random& random) noexcept {
-    return RayScene<S, N>(random).aabb();
-  }
-};
-struct Obbs : RayGroup {
-  static constexpr std::array<std::string_view, 3> names{"raycast/obb", "raycast_hit/obb",
-                                                         "raycast_interval/obb"};
-  template <Scalar S, int N>
-  static constexpr auto draw(Random& random) noexcept {
-    return RayScene<S, N>(random).obb();
-  }
-};
-struct Planes : RayGroup {
-  static constexpr std::array<std::string_view, 3> names{"raycast/plane", "raycast_hit/plane",
-                                                         "raycast_interval/plane"};
-  template <Scalar S, int N>
-  static constexpr auto draw(Random& random) noexcept {
-    return RayScene<S, N>(random).plane();
-  }
-};
-struct Triangles : RayGroup {
-  static constexpr std::array<std::string_view, 3> names{"raycast/triangle", "raycast_hit/triangle",
-                                                         "raycast_interval/triangle"};
-  template <Scalar S, int N>
-  static constexpr auto draw(Random& random) noexcept {
-    return RayScene<S, N>(random).triangle();
+    return RayScene<S, N>(random).draw(Type<typename Kind::template Of<S, N>>());
   }
 };
 
+/// Rays aimed anywhere near the shape.
 template <class Kind>
-struct RaysAgainst : RayGroup {
-  static constexpr std::array<RowName, 3> all_names{RowName("raycast/", Kind::name),
-                                                    RowName("raycast_hit/", Kind::name),
-                                                    RowName("raycast_interval/", Kind::name)};
-  static constexpr std::array<std::string_view, 3> names{all_names[0].view(), all_names[1].view(),
-                                                         all_names[2].view()};
+struct RaysAgainst : RayGroup<Kind> {
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     ShapeScene<S, N> scene(random);

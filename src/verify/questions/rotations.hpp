@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "verify/draw/numbers.hpp"
+#include "verify/questions/cases.hpp"
 
 namespace detent::verify {
 
@@ -21,17 +22,14 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 struct VectorCase {
   Vec<S, N> vector;
+
+  static constexpr std::array<std::string_view, 1> field_names{"vector"};
+  constexpr auto fields(const auto& f) const noexcept { return f(vector); }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const VectorCase<S, N>& c) noexcept {
-  digest.add(c.vector);
-}
 
 /// Vectors of every length, including zero and multiples of integer unit vectors.
-struct Normals {
+struct Normals : InDimensions<2, 3> {
   static constexpr std::array<std::string_view, 2> names{"normalize", "length"};
-  template <int N>
-  static constexpr bool asks = N >= 2;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -69,18 +67,15 @@ template <Scalar S, int N>
 struct AngleCase {
   Angle<S> angle;
   S number;
+
+  static constexpr std::array<std::string_view, 2> field_names{"angle", "number"};
+  constexpr auto fields(const auto& f) const noexcept { return f(angle, number); }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const AngleCase<S, N>& c) noexcept {
-  digest.add(c.angle.raw(), c.number);
-}
 
 /// Angles, and numbers of degrees or radians.
-struct Angles {
+struct Angles : InDimensions<1> {
   static constexpr std::array<std::string_view, 6> names{
       "sin", "cos", "angle/degrees", "angle/radians", "angle/from_degrees", "angle/from_radians"};
-  template <int N>
-  static constexpr bool asks = N == 1;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -107,16 +102,13 @@ struct Angles {
 template <Scalar S, int N>
 struct BearingCase {
   S y, x;
-};
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const BearingCase<S, N>& c) noexcept {
-  digest.add(c.y, c.x);
-}
 
-struct Bearings {
+  static constexpr std::array<std::string_view, 2> field_names{"y", "x"};
+  constexpr auto fields(const auto& f) const noexcept { return f(y, x); }
+};
+
+struct Bearings : InDimensions<1> {
   static constexpr std::array<std::string_view, 1> names{"atan2"};
-  template <int N>
-  static constexpr bool asks = N == 1;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -133,10 +125,8 @@ struct Bearings {
 };
 
 /// The rotation by an angle in the plane.
-struct FlatTurns {
+struct FlatTurns : InDimensions<2> {
   static constexpr std::array<std::string_view, 1> names{"rotation/angle"};
-  template <int N>
-  static constexpr bool asks = N == 2;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -152,16 +142,13 @@ template <Scalar S, int N>
 struct TurnCase {
   Direction<S, N> axis;
   Angle<S> angle;
-};
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const TurnCase<S, N>& c) noexcept {
-  digest.add(c.axis, c.angle.raw());
-}
 
-struct AxisTurns {
+  static constexpr std::array<std::string_view, 2> field_names{"axis", "angle"};
+  constexpr auto fields(const auto& f) const noexcept { return f(axis, angle); }
+};
+
+struct AxisTurns : InDimensions<3> {
   static constexpr std::array<std::string_view, 1> names{"rotation/axis_angle"};
-  template <int N>
-  static constexpr bool asks = N == 3;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -176,16 +163,13 @@ struct AxisTurns {
 template <Scalar S, int N>
 struct QuaternionCase {
   S x, y, z, w;
-};
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const QuaternionCase<S, N>& c) noexcept {
-  digest.add(c.x, c.y, c.z, c.w);
-}
 
-struct Quaternions {
+  static constexpr std::array<std::string_view, 4> field_names{"x", "y", "z", "w"};
+  constexpr auto fields(const auto& f) const noexcept { return f(x, y, z, w); }
+};
+
+struct Quaternions : InDimensions<3> {
   static constexpr std::array<std::string_view, 1> names{"rotation/quaternion"};
-  template <int N>
-  static constexpr bool asks = N == 3;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -205,16 +189,13 @@ struct Quaternions {
 template <Scalar S, int N>
 struct EulerCase {
   Angle<S> x, y, z;
-};
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const EulerCase<S, N>& c) noexcept {
-  digest.add(c.x.raw(), c.y.raw(), c.z.raw());
-}
 
-struct Eulers {
+  static constexpr std::array<std::string_view, 3> field_names{"x", "y", "z"};
+  constexpr auto fields(const auto& f) const noexcept { return f(x, y, z); }
+};
+
+struct Eulers : InDimensions<3> {
   static constexpr std::array<std::string_view, 1> names{"rotation/euler"};
-  template <int N>
-  static constexpr bool asks = N == 3;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -230,16 +211,13 @@ template <Scalar S, int N>
 struct RotateCase {
   Rotation<S, N> rotation;
   Vec<S, N> vector;
-};
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const RotateCase<S, N>& c) noexcept {
-  digest.add(c.rotation, c.vector);
-}
 
-struct Rotations {
+  static constexpr std::array<std::string_view, 2> field_names{"", "vector"};
+  constexpr auto fields(const auto& f) const noexcept { return f(rotation, vector); }
+};
+
+struct Rotations : InDimensions<2, 3> {
   static constexpr std::array<std::string_view, 2> names{"rotate", "inverse_rotate"};
-  template <int N>
-  static constexpr bool asks = N >= 2;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);

@@ -11,6 +11,7 @@
 #include "detent/scene/events.hpp"
 #include "detent/scene/snapshot.hpp"
 #include "verify/draw/histories.hpp"
+#include "verify/questions/cases.hpp"
 #include "verify/questions/listed.hpp"
 
 // Scenes after a short history: query results, digests and snapshots.
@@ -123,10 +124,8 @@ constexpr void append(D& digest, const Rollback<S>& rollback) noexcept {
 }
 
 /// Groups of scenes run one question in twelve, because each builds its scene.
-struct SceneGroup {
+struct SceneGroup : InDimensions<2, 3> {
   static constexpr std::uint32_t share = 12;
-  template <int N>
-  static constexpr bool asks = N >= 2;
 };
 
 template <Scalar S, int N>
@@ -135,11 +134,9 @@ struct SceneCase {
   std::uint32_t mask = 0;
   Ray<S, N> ray;
   Vec<S, N> point;
+
+  constexpr auto fields(const auto& f) const noexcept { return f(history, mask, ray, point); }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const SceneCase<S, N>& c) noexcept {
-  digest.add(c.history, c.mask, c.ray, c.point);
-}
 
 /// The nearest objects along a ray and to a point, in some layers.
 struct SceneQuestions : SceneGroup {
@@ -177,11 +174,9 @@ struct MeetingCase {
   History<S, N> history;
   std::uint32_t mask = 0;
   Sphere<S, N> sphere;
+
+  constexpr auto fields(const auto& f) const noexcept { return f(history, mask, sphere); }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const MeetingCase<S, N>& c) noexcept {
-  digest.add(c.history, c.mask, c.sphere);
-}
 
 /// The objects that overlap a sphere in some layers, and all overlapping pairs.
 struct SceneMeetings : SceneGroup {
@@ -218,11 +213,9 @@ struct RecordCase {
   History<S, N> history;
   Vec<S, N> point;
   Sphere<S, N> sphere;
+
+  constexpr auto fields(const auto& f) const noexcept { return f(history, point, sphere); }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const RecordCase<S, N>& c) noexcept {
-  digest.add(c.history, c.point, c.sphere);
-}
 
 /// The digest of a scene, and its snapshot.
 struct SceneRecords : SceneGroup {
@@ -322,11 +315,9 @@ constexpr void append(D& digest, const Events& events) noexcept {
 template <Scalar S, int N>
 struct EventsCase {
   History<S, N> history;
+
+  constexpr auto fields(const auto& f) const noexcept { return f(history); }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const EventsCase<S, N>& c) noexcept {
-  digest.add(c.history);
-}
 
 /// Which pairs begin, stay and end overlapping in each step of a history.
 struct SceneEvents : SceneGroup {

@@ -5,6 +5,7 @@
 #include "detent/shape/bounding_sphere.hpp"
 #include "detent/shape/measure.hpp"
 #include "verify/draw/shapes.hpp"
+#include "verify/questions/cases.hpp"
 #include "verify/questions/motions.hpp"
 
 // Intersections of planes, sizes of shapes, and bounding shapes.
@@ -20,10 +21,8 @@ constexpr void append(D& digest, const CrossingCase<S, N>& c) noexcept {
   for (const auto& plane : c.planes) digest.add(plane);
 }
 
-struct Crossings {
+struct Crossings : InDimensions<2, 3> {
   static constexpr std::array<std::string_view, 1> names{"intersection/plane"};
-  template <int N>
-  static constexpr bool asks = N >= 2;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
@@ -51,19 +50,16 @@ struct SizeCase {
   Aabb<S, N> aabb;
   Sphere<S, N> sphere;
   Obb<S, N> obb;
+
+  static constexpr std::array<std::string_view, 4> field_names{"", "", "", ""};
+  constexpr auto fields(const auto& f) const noexcept { return f(triangle, aabb, sphere, obb); }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const SizeCase<S, N>& c) noexcept {
-  digest.add(c.triangle, c.aabb, c.sphere, c.obb);
-}
 
 /// Areas, and volumes of shapes that have one, rounded down to the grid of the scalar.
-struct Sizes {
+struct Sizes : InDimensions<2, 3> {
   static constexpr std::array<std::string_view, 6> names{
       "measure/triangle", "measure/aabb",        "measure/sphere",
       "bounding_box/obb", "bounding_sphere/obb", "bounding_sphere/triangle"};
-  template <int N>
-  static constexpr bool asks = N >= 2;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     ShapeScene<S, N> scene(random);

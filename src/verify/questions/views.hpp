@@ -9,6 +9,7 @@
 #include "detent/query/overlaps/frustum.hpp"
 #include "detent/shape/camera.hpp"
 #include "verify/draw/numbers.hpp"
+#include "verify/questions/cases.hpp"
 
 // Queries on cameras and frusta.
 
@@ -30,20 +31,30 @@ struct ViewCase {
     if (!lens) return std::nullopt;
     return Camera<S>{pose, *lens};
   }
-};
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const ViewCase<S, N>& c) noexcept {
-  digest.add(c.pose, c.narrows, c.fov.raw(), c.width, c.height, c.near_distance, c.far_distance,
-             c.point, c.x, c.y, c.depth, c.box);
-}
 
-struct Views {
+  static constexpr std::array<std::string_view, 12> field_names{"pose",
+                                                                "perspective",
+                                                                "fov",
+                                                                "aspect, or half width",
+                                                                "half height",
+                                                                "near_distance",
+                                                                "far_distance",
+                                                                "point",
+                                                                "x",
+                                                                "y",
+                                                                "depth",
+                                                                "box"};
+  constexpr auto fields(const auto& f) const noexcept {
+    return f(pose, narrows, fov, width, height, near_distance, far_distance, point, x, y, depth,
+             box);
+  }
+};
+
+struct Views : InDimensions<3> {
   static constexpr std::array<std::string_view, 5> names{"camera/project", "camera/unproject",
                                                          "camera/pick_ray", "camera/corners",
                                                          "frustum/overlaps"};
   static constexpr std::uint32_t share = 32;
-  template <int N>
-  static constexpr bool asks = N == 3;
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);

@@ -9,6 +9,7 @@
 #include "detent/scene/mover.hpp"
 #include "detent/scene/scene.hpp"
 #include "verify/draw/numbers.hpp"
+#include "verify/questions/cases.hpp"
 
 // Characters at a fixed location.
 
@@ -54,11 +55,11 @@ struct WalkCase {
     result.snap_distance = snap_distance;
     return result;
   }
+
+  constexpr auto fields(const auto& f) const noexcept {
+    return f(start, step_height, snap_distance, lift, by);
+  }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const WalkCase<S, N>& c) noexcept {
-  digest.add(c.start, c.step_height, c.snap_distance, c.lift, c.by);
-}
 
 /// The character after a move, and the move's result.
 template <Scalar S, int N>
@@ -71,11 +72,9 @@ constexpr void append(D& digest, const Walked<S, N>& walked) noexcept {
   digest.add(walked.mover, walked.result);
 }
 
-struct Walks {
+struct Walks : InDimensions<3> {
   static constexpr std::array<std::string_view, 1> names{"mover/move"};
   static constexpr std::uint32_t share = 48;
-  template <int N>
-  static constexpr bool asks = N == 3;
 
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {

@@ -10,6 +10,7 @@
 
 #include "detent/dynamics/snapshot.hpp"
 #include "verify/draw/bodies.hpp"
+#include "verify/questions/cases.hpp"
 
 // Worlds of bodies: their states after about a second, and after restoring a snapshot.
 
@@ -76,11 +77,9 @@ constexpr void append(D& digest, const Replayed& replayed) noexcept {
 }
 
 /// Groups of worlds run few questions, of many ticks each.
-struct WorldGroup {
+struct WorldGroup : InDimensions<2, 3> {
   static constexpr std::uint32_t share = 3000;
   static constexpr int ticks = 48;
-  template <int N>
-  static constexpr bool asks = N >= 2;
 
  protected:
   /// Adds a ball, a capsule or a box.

@@ -7,15 +7,14 @@ particles.txt and compares every tick with what the program PARTICLE_STATES prin
 the first difference.
 """
 import os
-import subprocess
 import sys
-import time
 from fractions import Fraction
 from math import gcd, isqrt
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from body import axes, from_rotation
 from fixed import ONE, PI, PI_BITS, Formats, dot, parse, ratio, squared, unit
+from follow import fails, follow
 
 BITS, FRAC = 31, 16
 F = Formats(BITS, FRAC)
@@ -543,22 +542,16 @@ def read(path):
     return scenes
 
 
-def compare(program, path, name, ticks, reader):
-    process = subprocess.Popen([program, path, name], stdout=subprocess.PIPE, text=True)
+def states(reader, ticks):
     for tick in range(ticks + 1):
         if tick:
             reader.step(tick)
-        twin, code = list(reader.system.state()), []
-        for line in process.stdout:
-            if line == "\n":
-                break
-            code.append(line.rstrip("\n"))
-        if twin != code:
-            process.kill()
-            process.wait()
-            first = next(((a, b) for a, b in zip(twin, code) if a != b), (len(twin), len(code)))
-            return "%s, tick %d:\n  twin %s\n  code %s" % ((name, tick) + first)
-    return None if process.wait() == 0 else "%s: %s failed" % (name, program)
+        yield list(reader.system.state())
+
+
+def difference(twin, code):
+    first = next(((a, b) for a, b in zip(twin, code) if a != b), (len(twin), len(code)))
+    return ":\n  twin %s\n  code %s" % first
 
 
 def main(arguments):
@@ -570,11 +563,8 @@ def main(arguments):
     for name, ticks, reader in read(path):
         if arguments[1:] and name not in arguments[1:]:
             continue
-        start = time.process_time()
-        problem = compare(arguments[0], path, name, ticks, reader)
-        print(problem or "%s: %d ticks are equal (%d ms)" % (
-            name, ticks, round(1000 * (time.process_time() - start))))
-        failed |= problem is not None
+        failed |= fails(name, ticks, lambda: follow(
+            name, [arguments[0], path, name], states(reader, ticks), difference))
     return 1 if failed else 0
 
 

@@ -9,10 +9,10 @@ Exits with 1 at the first difference, and says where it is.
 import os
 import subprocess
 import sys
-import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import scenes
+from follow import fails, follow
 
 
 def field_of(line, i, n):
@@ -43,22 +43,12 @@ def difference(twin, code, n):
         len(twin), len(code), "\n  ".join((twin + code)[min(len(twin), len(code)):]))
 
 
-def compare(program, path, name, n, lines, ticks):
+def states(n, lines, ticks):
     world = scenes.build(n, lines)
-    process = subprocess.Popen([program, path, name, str(ticks)], stdout=subprocess.PIPE, text=True)
     for tick in range(ticks + 1):
         if tick:
             scenes.step(world, tick)
-        twin, code = list(world.state()), []
-        for line in process.stdout:
-            if line == "\n":
-                break
-            code.append(line.rstrip("\n"))
-        if twin != code:
-            process.kill()
-            process.wait()
-            return "%s, tick %d, %s" % (name, tick, difference(twin, code, n))
-    return None if process.wait() == 0 else "%s: %s failed" % (name, program)
+        yield list(world.state())
 
 
 def main(arguments):
@@ -87,11 +77,9 @@ def main(arguments):
             continue
         everyday = [int(words[1]) for words in lines if words[0] == "everyday"]
         ticks = given or (everyday or [1000])[0]
-        start = time.monotonic()
-        problem = compare(program, path, name, n, lines, ticks)
-        print(problem or "%s: %d ticks are equal (%d ms)" % (
-            name, ticks, round(1000 * (time.monotonic() - start))))
-        failed |= problem is not None
+        failed |= fails(name, ticks, lambda: follow(
+            name, [program, path, name, str(ticks)], states(n, lines, ticks),
+            lambda twin, code: ", " + difference(twin, code, n)))
     return 1 if failed else 0
 
 

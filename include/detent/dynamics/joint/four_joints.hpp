@@ -64,7 +64,7 @@ DETENT_BEGIN_LONG_LANES
 /// The passes over four joints at once, with the bits of one after another. Each returns false, and
 /// has changed nothing, if some number left its range and must be clamped.
 template <class L, Scalar S, std::size_t Turns>
-class FourJointsSolver {
+class FourJointsSolver : FourPairs<L, S> {
   using F = Formats<S>;
   using Speed = typename F::Speed;
   using Spin = typename F::Spin;
@@ -74,16 +74,14 @@ class FourJointsSolver {
   using Turn = typename F::Turn;
   using Joints = FourJoints<S, Turns>;
   using Turning = typename Joints::Turning;
+  using Pairs = FourPairs<L, S>;
+  using Pairs::a_, Pairs::b_, Pairs::round_;
   template <class T>
   using Side = Four<T, L>;
 
  public:
   FourJointsSolver(Joints& joints, Moving<S, 3>* bodies) noexcept
-      : joints_(joints),
-        bodies_a_(bodies, joints.a),
-        bodies_b_(bodies, joints.b),
-        a_(bodies_a_.motions()),
-        b_(bodies_b_.motions()) {}
+      : Pairs(bodies, joints.a, joints.b), joints_(joints) {}
 
   [[nodiscard]] bool warm_start() noexcept {
     for (const auto& row : joints_.turn) {
@@ -142,20 +140,12 @@ class FourJointsSolver {
     return round_.template nearest<Spin>(sum);
   }
   void apply(std::size_t i, const Side<Impulse>& impulse) noexcept {
-    using Response = Side<typename F::Response>;
-    a_.velocity[i] = round_.minus_nearest(a_.velocity[i], Side<Ratio>(joints_.share_a) * impulse);
-    b_.velocity[i] = round_.plus_nearest(b_.velocity[i], Side<Ratio>(joints_.share_b) * impulse);
-    for (std::size_t k = 0; k < 3; ++k) {
-      a_.spin[k] = round_.minus_nearest(a_.spin[k], Response(joints_.response_a[i][k]) * impulse);
-      b_.spin[k] = round_.plus_nearest(b_.spin[k], Response(joints_.response_b[i][k]) * impulse);
-    }
+    Pairs::push(i, joints_.share_a, joints_.share_b, impulse);
+    Pairs::template turn<typename F::Response>(joints_.response_a[i], joints_.response_b[i],
+                                               impulse);
   }
   void apply(const Turning& row, const Side<Turn>& turn) noexcept {
-    using Part = Side<typename F::TurnShare>;
-    for (std::size_t i = 0; i < 3; ++i) {
-      a_.spin[i] = round_.minus_nearest(a_.spin[i], Part(row.on_a[i]) * turn);
-      b_.spin[i] = round_.plus_nearest(b_.spin[i], Part(row.on_b[i]) * turn);
-    }
+    Pairs::template turn<typename F::TurnShare>(row.on_a, row.on_b, turn);
   }
 
   /// `next_total` of the laws `equal` and `limit`.
@@ -179,17 +169,9 @@ class FourJointsSolver {
     return law == Law::limit ? larger(sum, Side<Total>()) : sum;
   }
 
-  [[nodiscard]] bool store() noexcept {
-    if (round_.is_beyond()) return false;
-    bodies_a_.store(a_, joints_.moves_a);
-    bodies_b_.store(b_, joints_.moves_b);
-    return true;
-  }
+  [[nodiscard]] bool store() noexcept { return Pairs::store(joints_.moves_a, joints_.moves_b); }
 
   Joints& joints_;
-  FourBodies<S, L> bodies_a_, bodies_b_;
-  FourMotions<S, L> a_, b_;
-  FourRounder<L> round_;
 };
 
 /// Computes the rows of pushes of four joints for where their bodies are now, as `Aim`. Returns false
