@@ -14,11 +14,8 @@
 namespace detent::fuzz {
 namespace {
 
-template <class A, class B, Scalar S, int N>
-void check(Decoder<S, N>& decoder) {
-  const auto a = decoder.template shape<A>();
-  const auto b = decoder.template shape<B>();
-  const auto because = [&] { return oracle::describe(a) + "; " + oracle::describe(b); };
+constexpr auto check = []<Scalar S, int N>(Space<S, N>, const auto& a, const auto& b,
+                                           const auto& because) {
   const auto found = closest_points(a, b);
   if (!detail::has_points(a) || !detail::has_points(b)) {
     require(found == std::pair<Vec<S, N>, Vec<S, N>>(), because);
@@ -29,7 +26,7 @@ void check(Decoder<S, N>& decoder) {
   require(oracle::is_rounded(exact->first, found.first), because);
   require(oracle::is_rounded(exact->second, found.second), because);
   require(!share_a_point(a, b) || found.first == found.second, because);
-}
+};
 
 }  // namespace
 
@@ -42,9 +39,9 @@ void property(Bytes input) {
           Decoder<S, N> decoder(source);
           using Shapes = support::AllShapes<S, N>;
           if constexpr (Shapes::template index<A> <= Shapes::template index<B>) {
-            check<A, B>(decoder);
+            decode_two<A, B>(decoder, check);
           } else {
-            check<B, A>(decoder);
+            decode_two<B, A>(decoder, check);
           }
         });
   });

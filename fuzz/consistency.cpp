@@ -24,7 +24,7 @@
 #include "detent/query/overlaps.hpp"
 #include "detent/query/raycast.hpp"
 #include "detent/scene/question.hpp"
-#include "oracle/describe.hpp"
+#include "reasons.hpp"
 #include "spaces.hpp"
 
 namespace detent::fuzz {
@@ -94,12 +94,7 @@ void check(Source& source) {
   const auto shape = decoder.template shape<Shape>();
   const auto ray = decoder.template shape<Ray<S, N>>();
   const auto point = decoder.point();
-  const auto because = [&](const char* query) {
-    return [&, query] {
-      return std::string(query) + ": " + oracle::describe(shape) + "; " + oracle::describe(ray) +
-             "; point " + oracle::describe(point);
-    };
-  };
+  const auto because = reasons(shape, ray, point);
 
   const bool inside = contains(shape, point);
   const S apart = distance(shape, point);

@@ -10,23 +10,21 @@
 namespace detent::fuzz {
 namespace {
 
-template <class A, class B, Scalar S, int N>
-void check(Decoder<S, N>& decoder) {
-  const auto a = decoder.template shape<A>();
-  const auto b = decoder.template shape<B>();
-  const auto because = [&] { return oracle::describe(a) + "; " + oracle::describe(b); };
+constexpr auto check = []<Scalar S, int N>(Space<S, N>, const auto& a, const auto& b,
+                                           const auto& because) {
   const auto exact = oracle::distance_floor(a, b);
   const oracle::Integer most = oracle::raw(S::max());
   const oracle::Integer expected = exact ? std::min(*exact, most) : most;
   const S found = distance(a, b);
   require(oracle::raw(found) == expected && distance(b, a) == found, because);
   require(!share_a_point(a, b) || found == 0, because);
-}
+};
 
 }  // namespace
 
 void property(Bytes input) {
-  check_two_shapes(input, []<class A, class B>(auto& decoder) { check<A, B>(decoder); });
+  check_two_shapes(input,
+                   []<class A, class B>(auto& decoder) { decode_two<A, B>(decoder, check); });
 }
 
 }  // namespace detent::fuzz

@@ -44,16 +44,24 @@ bool share_a_point(const A& a, const B& b) {
   }
 }
 
+/// Decodes two shapes for `check(Space<S, N>, a, b, because)`, where because() describes them.
+template <class A, class B, Scalar S, int N, class Check>
+void decode_two(Decoder<S, N>& decoder, const Check& check) {
+  const auto a = decoder.template shape<A>();
+  const auto b = decoder.template shape<B>();
+  check(Space<S, N>(), a, b, [&] { return oracle::describe(a) + "; " + oracle::describe(b); });
+}
+
 /// Decodes two shapes: whether they share a point is what the oracle says, in both orders. A segment
 /// comes first.
 template <class A, class B, Scalar S, int N>
 void check_overlap(Decoder<S, N>& decoder) {
-  const auto a = decoder.template shape<A>();
-  const auto b = decoder.template shape<B>();
-  const bool truth = oracle::meet(a, b);
-  bool is_right = share_a_point(a, b) == truth;
-  if constexpr (requires { overlaps(b, a); }) is_right = is_right && overlaps(b, a) == truth;
-  require(is_right, [&] { return oracle::describe(a) + "; " + oracle::describe(b); });
+  decode_two<A, B>(decoder, [](auto, const auto& a, const auto& b, const auto& because) {
+    const bool truth = oracle::meet(a, b);
+    bool is_right = share_a_point(a, b) == truth;
+    if constexpr (requires { overlaps(b, a); }) is_right = is_right && overlaps(b, a) == truth;
+    require(is_right, because);
+  });
 }
 
 }  // namespace detent::fuzz

@@ -9,7 +9,7 @@
 #include "detent/query/contains.hpp"
 #include "detent/query/distance.hpp"
 #include "detent/query/raycast.hpp"
-#include "oracle/describe.hpp"
+#include "reasons.hpp"
 #include "spaces.hpp"
 
 namespace detent::fuzz {
@@ -133,12 +133,7 @@ void check(Source& source) {
   const auto shape = decoder.template shape<Shape>();
   const auto ray = decoder.template shape<Ray<S, N>>();
   const auto point = decoder.point();
-  const auto because = [&](const char* query) {
-    return [&, query] {
-      return std::string(query) + ": " + oracle::describe(shape) + "; " + oracle::describe(ray) +
-             "; point " + oracle::describe(point);
-    };
-  };
+  const auto because = reasons(shape, ray, point);
 
   const auto same = renamed(shape);
   const auto closest = closest_point(shape, point);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 #include "c/assets.hpp"
 #include "c/body_shapes.hpp"
@@ -85,11 +86,10 @@ using FieldHolder = Holder<FieldAsset<S>>;
 
 }  // namespace
 
-/// Stores an asset of points, which make(hull) makes from a copy, or nothing if it cannot.
-template <class Asset, int N, class Make>
-detent_status add_points(detent_context* context, std::uint32_t id,
-                         const typename Types<N>::Vec* points, std::uint32_t count,
-                         detent_handle* out, const Make& make) {
+template <int N, class Asset>
+detent_status PointAssets<N, Asset>::create(detent_context* context, std::uint32_t id,
+                                            const typename Types<N>::Vec* points,
+                                            std::uint32_t count, detent_handle* out) {
   Context* const table = table_of(context);
   if (table == nullptr) return DETENT_BAD_CONTEXT;
   if (out == nullptr || (points == nullptr && count != 0) || count > Asset::capacity) {
@@ -100,35 +100,19 @@ detent_status add_points(detent_context* context, std::uint32_t id,
     if (own == nullptr && count != 0) return std::nullopt;
     for (std::uint32_t i = 0; i < count; ++i) own[i] = Input<N>::vec(points[i]);
     why = DETENT_BAD_ARGUMENT;
-    return make(ConvexHull<S, N>{{own, count}});
+    const ConvexHull<S, N> hull{{own, count}};
+    if constexpr (std::is_same_v<Asset, SolidHull<S, N>>) {
+      return solid_hull(id, hull);
+    } else {
+      return hull_asset(id, hull);
+    }
   };
   return add_asset<Asset>(*table, id, out, make_asset);
 }
-
-template <int N>
-detent_status make_hull(detent_context* context, std::uint32_t id,
-                        const typename Types<N>::Vec* points, std::uint32_t count,
-                        detent_handle* hull) {
-  return add_points<HullAsset<S, N>, N>(
-      context, id, points, count, hull,
-      [&](const ConvexHull<S, N>& view) { return hull_asset(id, view); });
-}
-template <int N>
-detent_status make_solid(detent_context* context, std::uint32_t id,
-                         const typename Types<N>::Vec* points, std::uint32_t count,
-                         detent_handle* solid) {
-  return add_points<SolidHull<S, N>, N>(
-      context, id, points, count, solid,
-      [&](const ConvexHull<S, N>& view) { return solid_hull(id, view); });
-}
-template detent_status make_hull<2>(detent_context*, std::uint32_t, const detent_vec2*,
-                                    std::uint32_t, detent_handle*);
-template detent_status make_hull<3>(detent_context*, std::uint32_t, const detent_vec3*,
-                                    std::uint32_t, detent_handle*);
-template detent_status make_solid<2>(detent_context*, std::uint32_t, const detent_vec2*,
-                                     std::uint32_t, detent_handle*);
-template detent_status make_solid<3>(detent_context*, std::uint32_t, const detent_vec3*,
-                                     std::uint32_t, detent_handle*);
+template struct PointAssets<2, HullAsset<S, 2>>;
+template struct PointAssets<3, HullAsset<S, 3>>;
+template struct PointAssets<2, SolidHull<S, 2>>;
+template struct PointAssets<3, SolidHull<S, 3>>;
 
 template <int N>
 detent_status HullRoom<N>::read(const detent_context* context,
@@ -162,9 +146,9 @@ bool has_part_of(const void* holder, const void* asset) {
 }
 
 template <int N>
-detent_status make_compound(detent_context* context, std::uint32_t id,
-                            const typename Types<N>::Part* parts, std::uint32_t count,
-                            detent_handle* compound) {
+detent_status Compounds<N>::create(detent_context* context, std::uint32_t id,
+                                   const typename Types<N>::Part* parts, std::uint32_t count,
+                                   detent_handle* compound) {
   using Part = BodyPart<S, N>;
   static_assert(std::is_trivially_destructible_v<Part>);
   Context* const table = table_of(context);
@@ -203,10 +187,10 @@ detent_status make_compound(detent_context* context, std::uint32_t id,
   }
   return status;
 }
-template detent_status make_compound<2>(detent_context*, std::uint32_t, const detent_part2*,
-                                        std::uint32_t, detent_handle*);
-template detent_status make_compound<3>(detent_context*, std::uint32_t, const detent_part3*,
-                                        std::uint32_t, detent_handle*);
+template detent_status Compounds<2>::create(detent_context*, std::uint32_t, const detent_part2*,
+                                            std::uint32_t, detent_handle*);
+template detent_status Compounds<3>::create(detent_context*, std::uint32_t, const detent_part3*,
+                                            std::uint32_t, detent_handle*);
 
 }  // namespace detent::c
 

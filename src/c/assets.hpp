@@ -5,41 +5,17 @@
 
 namespace detent::c {
 
-/// `detent_hull2_create` and `detent_hull3_create`.
-template <int N>
-detent_status make_hull(detent_context* context, std::uint32_t id,
-                        const typename Types<N>::Vec* points, std::uint32_t count,
-                        detent_handle* hull);
-
-/// `detent_solid2_create` and `detent_solid3_create`.
-template <int N>
-detent_status make_solid(detent_context* context, std::uint32_t id,
-                         const typename Types<N>::Vec* points, std::uint32_t count,
-                         detent_handle* solid);
-
-/// `detent_compound2_create` and `detent_compound3_create`.
-template <int N>
-detent_status make_compound(detent_context* context, std::uint32_t id,
-                            const typename Types<N>::Part* parts, std::uint32_t count,
-                            detent_handle* compound);
-
-template <int N>
-struct Hulls {
+/// Hulls and solids, which are made from points.
+template <int N, class Asset>
+struct PointAssets {
   static detent_status create(detent_context* context, std::uint32_t id,
                               const typename Types<N>::Vec* points, std::uint32_t count,
-                              detent_handle* hull) {
-    return make_hull<N>(context, id, points, count, hull);
-  }
+                              detent_handle* asset);
 };
-
 template <int N>
-struct Solids {
-  static detent_status create(detent_context* context, std::uint32_t id,
-                              const typename Types<N>::Vec* points, std::uint32_t count,
-                              detent_handle* solid) {
-    return make_solid<N>(context, id, points, count, solid);
-  }
-};
+using Hulls = PointAssets<N, HullAsset<S, N>>;
+template <int N>
+using Solids = PointAssets<N, SolidHull<S, N>>;
 
 template <int N>
 struct Compounds {
@@ -57,9 +33,7 @@ struct Compounds {
   }
   static detent_status create(detent_context* context, std::uint32_t id,
                               const typename Types<N>::Part* parts, std::uint32_t count,
-                              detent_handle* compound) {
-    return make_compound<N>(context, id, parts, count, compound);
-  }
+                              detent_handle* compound);
 };
 
 }  // namespace detent::c

@@ -37,53 +37,35 @@ struct Points {
 /// result is slow to compute.
 namespace kind {
 
-struct Sphere {
+template <template <Scalar, int> class Shape, int RayCost, int SegmentCost>
+struct Kind {
+  static constexpr int ray_cost = RayCost, segment_cost = SegmentCost;
+  template <Scalar S>
+  using In = Shape<S, 3>;
+};
+struct Sphere : Kind<detent::Sphere, 1, 2> {
   static constexpr const char* name = "sphere";
-  static constexpr int ray_cost = 1, segment_cost = 2;
-  template <Scalar S>
-  using In = detent::Sphere<S, 3>;
 };
-struct Aabb {
+struct Aabb : Kind<detent::Aabb, 1, 8> {
   static constexpr const char* name = "aabb";
-  static constexpr int ray_cost = 1, segment_cost = 8;
-  template <Scalar S>
-  using In = detent::Aabb<S, 3>;
 };
-struct Obb {
+struct Obb : Kind<detent::Obb, 1, 2> {
   static constexpr const char* name = "obb";
-  static constexpr int ray_cost = 1, segment_cost = 2;
-  template <Scalar S>
-  using In = detent::Obb<S, 3>;
 };
-struct Plane {
+struct Plane : Kind<detent::Plane, 1, 2> {
   static constexpr const char* name = "plane";
-  static constexpr int ray_cost = 1, segment_cost = 2;
-  template <Scalar S>
-  using In = detent::Plane<S, 3>;
 };
-struct Triangle {
+struct Triangle : Kind<detent::Triangle, 1, 8> {
   static constexpr const char* name = "triangle";
-  static constexpr int ray_cost = 1, segment_cost = 8;
-  template <Scalar S>
-  using In = detent::Triangle<S, 3>;
 };
-struct Capsule {
+struct Capsule : Kind<detent::Capsule, 4, 2> {
   static constexpr const char* name = "capsule";
-  static constexpr int ray_cost = 4, segment_cost = 2;
-  template <Scalar S>
-  using In = detent::Capsule<S, 3>;
 };
-struct Hull {
+struct Hull : Kind<Points, 8, 8> {
   static constexpr const char* name = "hull";
-  static constexpr int ray_cost = 8, segment_cost = 8;
-  template <Scalar S>
-  using In = Points<S, 3>;
 };
-struct Segment {
+struct Segment : Kind<detent::Segment, 0, 8> {
   static constexpr const char* name = "segment";
-  static constexpr int segment_cost = 8;
-  template <Scalar S>
-  using In = detent::Segment<S, 3>;
 };
 
 template <class... Shape>

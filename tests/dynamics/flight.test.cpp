@@ -6,19 +6,12 @@
 
 #include "detent/scene/one_of.hpp"
 #include "support/catch.hpp"
+#include "support/num.hpp"
 
 namespace {
 
 using namespace detent;
-
-template <class S>
-S num(double x) {
-  if constexpr (is_fixed<S>) {
-    return S::from_double(x);
-  } else {
-    return static_cast<S>(x);
-  }
-}
+using test::num;
 
 template <Scalar S, int N>
 using BoxBody = detail::BodyRecord<S, N, detail::OneOf<Obb<S, N>>>;

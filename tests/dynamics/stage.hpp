@@ -2,18 +2,9 @@
 #pragma once
 
 #include "detent/dynamics/world.hpp"
+#include "support/num.hpp"
 
 namespace detent::test {
-
-/// A test's number in any scalar, rounded to nearest.
-template <class S>
-S num(double x) {
-  if constexpr (is_fixed<S>) {
-    return S::from_double(x);
-  } else {
-    return static_cast<S>(x);
-  }
-}
 
 /// A point at these coordinates; in 3D with z = 0.
 template <Scalar S, int N>
@@ -22,6 +13,11 @@ Vec<S, N> at(double x, double y) {
   p.x = num<S>(x);
   p.y = num<S>(y);
   return p;
+}
+
+/// A point in q16_16.
+inline Vec<q16_16, 3> at3(double x, double y, double z) {
+  return {num<q16_16>(x), num<q16_16>(y), num<q16_16>(z)};
 }
 
 /// A box with this center and half extents; in 3D its depth equals its width, at z = 0.

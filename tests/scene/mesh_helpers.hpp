@@ -123,4 +123,13 @@ void for_meshes(std::uint64_t seed, int rounds, const Body& body) {
   for_meshes<S>(seed, rounds, 8, body);
 }
 
+/// Calls `compare(rate)`, and requires that between 30 and 70 percent of what it counts are hits.
+template <class Compare>
+void check_balance(const Compare& compare) {
+  HitRate rate;
+  compare(rate);
+  INFO(rate);
+  CHECK(rate.is_balanced());
+}
+
 }  // namespace detent::test

@@ -54,20 +54,14 @@ void compare_pairs(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
 
 TEMPLATE_TEST_CASE("mesh: two meshes overlap exactly if two of their triangles do", "[mesh]",
                    q16_16, q8_8) {
-  HitRate rate;
-  compare_pairs<TestType>(0x9a125, 60, 8, rate);
-  INFO(rate);
-  CHECK(rate.is_balanced());
+  check_balance([](HitRate& rate) { compare_pairs<TestType>(0x9a125, 60, 8, rate); });
 }
 
 TEMPLATE_TEST_CASE("mesh: many more pairs overlap as loops over many more triangles do",
                    "[mesh][.demand]", q16_16, q8_8) {
-  HitRate rate;
-  for (const auto seed : oracle::demanded_seeds()) {
-    compare_pairs<TestType>(seed, 60, 11, rate);
-  }
-  INFO(rate);
-  CHECK(rate.is_balanced());
+  check_balance([](HitRate& rate) {
+    for (const auto seed : oracle::demanded_seeds()) compare_pairs<TestType>(seed, 60, 11, rate);
+  });
 }
 
 TEMPLATE_TEST_CASE("mesh: a plane overlaps it exactly if it overlaps one of its triangles",

@@ -228,7 +228,7 @@ inline constexpr std::uint8_t shape_tag<BodyCompound<S, N>> = 13;
 
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto local_form(const BodyCompound<S, N>& body) noexcept {
-  return centered_form(body);
+  return centered_form<S, N>(body);
 }
 
 template <Scalar S, int N>

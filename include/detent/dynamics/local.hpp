@@ -87,18 +87,18 @@ template <Scalar S, int N, Number C>
 }
 
 /// A hull or compound in the frame of its body, relative to its center of mass.
-template <template <Scalar, int> class Body, Scalar S, int N>
-[[nodiscard]] constexpr auto centered_form(const Body<S, N>& body) noexcept {
-  Body<S, N> shape;
+template <Scalar S, int N, class Body>
+[[nodiscard]] constexpr auto centered_form(const Body& body) noexcept {
+  Body shape;
   shape.asset = body.asset;
   const auto center =
       body.asset ? body.asset->center() : std::remove_cvref_t<decltype(body.asset->center())>{};
-  return Local<S, N, Body<S, N>, typename Formats<S>::Place>{
+  return Local<S, N, Body, typename Formats<S>::Place>{
       shape, placed_center(body.translation, body.rotation, center), orientation_of(body.rotation)};
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto local_form(const BodyHull<S, N>& body) noexcept {
-  return centered_form(body);
+  return centered_form<S, N>(body);
 }
 
 /// A surface in the frame of its body, which is its asset's frame.

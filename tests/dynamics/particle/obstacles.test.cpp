@@ -28,8 +28,6 @@ namespace {
 using S = q16_16;
 using Point = Vec<S, 3>;
 
-Point at3(double x, double y, double z) { return {num<S>(x), num<S>(y), num<S>(z)}; }
-
 std::array<Point, 4> tetrahedron(const Point& by) {
   std::array<Point, 4> points{at3(0, 0.7, 0), at3(0.6, -0.5, 0), at3(-0.4, -0.5, 0.5),
                               at3(-0.4, -0.5, -0.5)};

@@ -23,8 +23,6 @@ namespace {
 using S = q16_16;
 using Point = Vec<S, 3>;
 
-Point at3(double x, double y, double z) { return {num<S>(x), num<S>(y), num<S>(z)}; }
-
 /// Level ground of 450 triangles, which are in another order in the tree.
 std::vector<Triangle<S, 3>> ground() {
   std::vector<Triangle<S, 3>> triangles;

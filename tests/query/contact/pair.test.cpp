@@ -180,12 +180,7 @@ TEMPLATE_TEST_CASE("contact: an upright flat shape touches with its lowest corne
 TEMPLATE_TEST_CASE("contact: a frustum is the hull of its corners", "[contact]", q16_16, q8_8,
                    float) {
   using S = TestType;
-  std::array<Vec<S, 3>, 8> corners;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const double size = i < 4 ? 1 : 2;
-    corners[i] = at<S, 3>(i & 1 ? size : -size, i & 2 ? size : -size, size);
-  }
-  const Frustum<S> frustum(corners);
+  const Frustum<S> frustum(frustum_corners<S>());
   const Sphere<S, 3> ball{at<S, 3>(0, 0, 2.5), num<S>(1)};
   REQUIRE(contact(frustum, ball));
   CHECK(contact(frustum, ball) == contact(frustum.hull(), ball));

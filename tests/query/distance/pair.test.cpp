@@ -36,12 +36,7 @@ TEMPLATE_TEST_CASE("distance of two shapes: to an empty one it is the greatest s
 TEMPLATE_TEST_CASE("distance of two shapes: a frustum is the hull of its corners", "[distance]",
                    q16_16, q8_8, float) {
   using S = TestType;
-  std::array<Vec<S, 3>, 8> corners;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const double size = i < 4 ? 1 : 2;
-    corners[i] = at<S, 3>(i & 1 ? size : -size, i & 2 ? size : -size, size);
-  }
-  const Frustum<S> frustum(corners);
+  const Frustum<S> frustum(frustum_corners<S>());
   visit_shapes<S, 3>(6, [&](const auto& shape) {
     CHECK(distance(frustum, shape) == distance(frustum.hull(), shape));
     CHECK(distance(shape, frustum) == distance(frustum, shape));

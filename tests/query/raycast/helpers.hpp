@@ -11,19 +11,10 @@
 #include "detent/query/raycast.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
+#include "support/num.hpp"
 #include "support/shapes.hpp"
 
 namespace detent::test {
-
-/// `value`, which S represents exactly.
-template <Scalar S>
-constexpr S num(double value) {
-  if constexpr (is_fixed<S>) {
-    return S::from_double(value);
-  } else {
-    return static_cast<S>(value);
-  }
-}
 
 /// The point (x, y, z), or (x, y) in 2D.
 template <Scalar S, int N>
@@ -33,6 +24,17 @@ constexpr Vec<S, N> at(double x, double y = 0, double z = 0) {
   } else {
     return {num<S>(x), num<S>(y), num<S>(z)};
   }
+}
+
+/// The corners of a frustum along z, from a square of side 2 at 1 to one of side 4 at 2.
+template <Scalar S>
+std::array<Vec<S, 3>, 8> frustum_corners() {
+  std::array<Vec<S, 3>, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double size = i < 4 ? 1 : 2;
+    corners[i] = at<S, 3>(i & 1 ? size : -size, i & 2 ? size : -size, size);
+  }
+  return corners;
 }
 
 /// The direction of (x, y, z), or of (x, y) in 2D.
@@ -199,6 +201,31 @@ void check_symmetry(const Ray<S, N>& ray, const Shape& shape, bool exact_normals
   };
   check(turn);
   check(mirror);
+}
+
+/// `check_symmetry` of rays aimed within `spread` times the reach of boxes of all sizes up to
+/// 2^`bits` steps. `box_of(random, center, half)` makes a box.
+template <Scalar S, int N, class BoxOf>
+void check_symmetry_of_boxes(std::uint64_t seed, int bits, double spread, bool exact_normals,
+                             const BoxOf& box_of) {
+  Random random(seed);
+  INFO(random);
+  HitRate rate;
+  for (int i = 0; i < 2000; ++i) {
+    const auto center = random_point<S, N>(random);
+    const auto reach = std::int64_t{1} << random.between(2, bits);
+    const auto half = make_vec<N>([&](int) {
+      return S::from_raw(static_cast<typename S::raw_type>(random.between(reach / 2, reach)));
+    });
+    const auto box = box_of(random, center, half);
+    const auto origin = random_point<S, N>(random);
+    const auto around = static_cast<std::int64_t>(spread * static_cast<double>(reach));
+    const Ray<S, N> ray{origin, aimed(origin, random_near(random, center, around))};
+    rate.count(raycast(ray, box).has_value());
+    check_symmetry(ray, box, exact_normals);
+  }
+  INFO(rate);
+  CHECK(rate.is_balanced());
 }
 
 }  // namespace detent::test

@@ -220,25 +220,12 @@ TEMPLATE_TEST_CASE("ray against OBB: results do not depend on the frame", "[rayc
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  Random random(0x0bb2);
-  INFO(random);
-  HitRate rate;
-  for (int i = 0; i < 2000; ++i) {
-    const auto center = random_point<S, N>(random);
-    const auto reach = std::int64_t{1} << random.between(2, S::bits - 1);
-    const auto half = make_vec<N>([&](int) {
-      return S::from_raw(static_cast<typename S::raw_type>(random.between(reach / 2, reach)));
-    });
-    const Obb<S, N> box{center, half,
-                        heading<S, N>(static_cast<double>(random.between(-99, 99)),
-                                      static_cast<double>(random.between(1, 99)))};
-    const auto origin = random_point<S, N>(random);
-    const Ray<S, N> ray{origin, aimed(origin, random_near(random, center, 2 * reach))};
-    rate.count(raycast(ray, box).has_value());
-    check_symmetry(ray, box, true);
-  }
-  INFO(rate);
-  CHECK(rate.is_balanced());
+  const auto box_of = [](Random& random, const Vec<S, N>& center, const Vec<S, N>& half) {
+    return Obb<S, N>{center, half,
+                     heading<S, N>(static_cast<double>(random.between(-99, 99)),
+                                   static_cast<double>(random.between(1, 99)))};
+  };
+  check_symmetry_of_boxes<S, N>(0x0bb2, S::bits - 1, 2, true, box_of);
 }
 
 }  // namespace
