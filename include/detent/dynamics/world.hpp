@@ -95,6 +95,13 @@ class BasicWorld {
     return put(id, shape, options) ? std::optional(id) : std::nullopt;
   }
 
+  // Deleted: compilers show the line with the name.
+  // clang-format off
+  template <class Other>
+  requires(!detail::Among<Other, Parts...>)
+  std::optional<BodyId> add(const Other&, const Options& = {}) = delete;  // detent: name this type in that of the world: World<S, N, Sphere, HingeJoint, ...>
+  // clang-format on
+
   /// Adds a body with an id chosen by the caller, such as that of a removed body. False if the
   /// index is in use or beyond the world's capacity, or for a compound as above.
   template <detail::Among<Parts...> Shape>
