@@ -22,7 +22,7 @@ struct WorldAccess;
 }  // namespace detail
 
 /// A pair of bodies that began or stopped touching in the last step, in order of their indices; for
-/// compounds a pair of parts.
+/// compounds a pair of parts. Sensors have such events, too; the removal of a body does not.
 struct TouchEvent {
   BodyId a, b;
   bool begins;
@@ -311,6 +311,8 @@ class BasicWorld {
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = per_second(body->state.spin[i]);
     return result;
   }
+  /// Whether the body sleeps; false without such a body. Setting its velocity, an impulse, a force or
+  /// a torque wakes it.
   [[nodiscard]] constexpr bool is_asleep(const BodyId& id) const noexcept {
     const Body* body = find(id);
     return body != nullptr && body->sleeps;
