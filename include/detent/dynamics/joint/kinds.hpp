@@ -78,7 +78,7 @@ struct BallJoint : JointEnds<S, N> {
 /// `motor_speed`, counter-clockwise, with at most `motor_torque`, if that is not 0.
 ///
 /// units:  lower and upper in radians, motor_speed in radians per second
-/// domain: angles are in (-pi, pi]; a body that turns farther wraps from one end to the other
+/// domain: angles are in [-pi, pi); a body that turns farther wraps from one end to the other
 /// exact:  as docs/dynamics.md says                            (tests/dynamics/joint/joint.test.cpp)
 template <Scalar S, int N>
 struct HingeJoint : FramedEnds<S, N> {
