@@ -65,6 +65,31 @@ TEMPLATE_TEST_CASE("mover: walks up a slope of 30 degrees but not one of 60", ""
   }
 }
 
+// The game sets the horizontal velocity in every frame: see docs/motion.md.
+TEMPLATE_TEST_CASE("mover: climbs a slope of 60 degrees unless the rise of its velocity is capped",
+                   "", q16_16, float) {
+  using S = TestType;
+  for (const bool is_capped : {true, false}) {
+    Level<S> level;
+    level.floor();
+    level.slope(60);
+    auto walker = level.person(-200, 0, 0);
+    Vec<S, 3> velocity{};
+    for (int frame = 0; frame < 150; ++frame) {
+      velocity.x = level.number(5);
+      velocity.y -= level.number(1);
+      const S rise = max(velocity.y, S(0));
+      const auto result = walker.move(level.world, velocity);
+      velocity = clip_velocity(velocity, result);
+      if (is_capped) velocity.y = min(velocity.y, rise);
+    }
+    CAPTURE(is_capped);
+    CHECK((level.feet(walker) < skin) == is_capped);
+    CHECK(walker.ground.is_grounded == is_capped);
+    CHECK((level.x(walker) < 0) == is_capped);
+  }
+}
+
 TEMPLATE_TEST_CASE("mover: slides down a slope of 60 degrees", "", q16_16, float) {
   Level<TestType> level;
   level.floor();

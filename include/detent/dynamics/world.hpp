@@ -22,7 +22,7 @@ struct WorldAccess;
 }  // namespace detail
 
 /// A pair of bodies that began or stopped touching in the last step, in order of their indices; for
-/// compounds a pair of parts.
+/// compounds a pair of parts. Sensors have such events, too; the removal of a body does not.
 struct TouchEvent {
   BodyId a, b;
   bool begins;
@@ -94,6 +94,13 @@ class BasicWorld {
     const BodyId id{first_free_, next_};
     return put(id, shape, options) ? std::optional(id) : std::nullopt;
   }
+
+  // Deleted: compilers show the line with the name.
+  // clang-format off
+  template <class Other>
+  requires(!detail::Among<Other, Parts...>)
+  std::optional<BodyId> add(const Other&, const Options& = {}) = delete;  // detent: name this type in that of the world: World<S, N, Sphere, HingeJoint, ...>
+  // clang-format on
 
   /// Adds a body with an id chosen by the caller, such as that of a removed body. False if the
   /// index is in use or beyond the world's capacity, or for a compound as above.
@@ -304,6 +311,8 @@ class BasicWorld {
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = per_second(body->state.spin[i]);
     return result;
   }
+  /// Whether the body sleeps; false without such a body. Setting its velocity, an impulse, a force or
+  /// a torque wakes it.
   [[nodiscard]] constexpr bool is_asleep(const BodyId& id) const noexcept {
     const Body* body = find(id);
     return body != nullptr && body->sleeps;

@@ -122,6 +122,12 @@ template <class T, int B, int F>
   }
 }
 
+// Deleted: compilers show the line with the name.
+// clang-format off
+template <std::floating_point T, int B, int F>
+T nearest_to(const Fixed<B, F>&) = delete;  // detent: write T(double(x))
+// clang-format on
+
 /// `nearest_to` for results that are expected to exceed the range of `T` and be clamped.
 template <class T, int B, int F>
 [[nodiscard]] constexpr T saturate_to(const Fixed<B, F>& x) noexcept {

@@ -81,6 +81,13 @@ class SceneContents {
     return id;
   }
 
+  // Deleted: compilers show the line with the name.
+  // clang-format off
+  template <class Other>
+  requires(!Among<Other, Shapes...>)
+  std::optional<ObjectId> add(const Other&, const Traits& = {}) = delete;  // detent: name this shape in the type of the scene: Scene<S, N, Sphere, Aabb, ...>
+  // clang-format on
+
   /// Adds an object with an id chosen by the caller, so that two scenes filled in different orders
   /// hold the same objects.
   ///

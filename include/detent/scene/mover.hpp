@@ -71,8 +71,9 @@ constexpr void for_each_field(const Mover<S, N, Shape>& mover, const F& f) {
 
 /// The part of `velocity` that does not lead into the touched surfaces: the closest vector to it.
 ///
-/// result: 0 where no velocity is left
-///         (tests/scene/mover.test.cpp)
+/// result: 0 where no velocity is left. A slope turns part of the velocity upward: if the game sets
+///         the horizontal velocity in every frame, it must cap the vertical one, or the character
+///         climbs every slope                 (tests/scene/mover.test.cpp, docs/motion.md)
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> clip_velocity(const Vec<S, N>& velocity,
                                                 const MoveResult<S, N>& result) noexcept {

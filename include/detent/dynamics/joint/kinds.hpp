@@ -74,11 +74,11 @@ struct BallJoint : JointEnds<S, N> {
 };
 
 /// Keeps two points together and, in 3D, axis 2 of both frames aligned. Limits of the angle are
-/// within half a turn; the motor drives at `motor_speed` with at most `motor_torque`, if that is
-/// not 0.
+/// within half a turn, and count only if `has_limits`; the motor turns b relative to a at
+/// `motor_speed`, counter-clockwise, with at most `motor_torque`, if that is not 0.
 ///
 /// units:  lower and upper in radians, motor_speed in radians per second
-/// domain: angles are in (-pi, pi]; a body that turns farther wraps from one end to the other
+/// domain: angles are in [-pi, pi); a body that turns farther wraps from one end to the other
 /// exact:  as docs/dynamics.md says                            (tests/dynamics/joint/joint.test.cpp)
 template <Scalar S, int N>
 struct HingeJoint : FramedEnds<S, N> {
