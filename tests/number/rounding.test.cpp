@@ -130,6 +130,7 @@ TEMPLATE_TEST_CASE("rounding: down, up, to nearest, clamping at the ends", "[num
                    (Two<Fixed<32, 16>, q16_16>), (Two<Fixed<62, 32>, q16_16>),
                    (Two<Fixed<46, 46>, Fixed<31, 30>>), (Two<Fixed<30, 30>, Fixed<5, -3>>),
                    (Two<Fixed<15, 60>, q16_16>), (Two<Fixed<63, 63>, Fixed<31, 31>>),
+                   (Two<Fixed<63, 52>, Fixed<33, 22>>), (Two<Fixed<63, 20>, Fixed<63, 19>>),
                    (Two<Fixed<64, 48>, Fixed<63, 47>>), (Two<Fixed<94, 46>, q16_16>),
                    (Two<Fixed<126, 92>, Fixed<31, 30>>), (Two<Fixed<127, 64>, Fixed<127, 63>>),
                    (Two<Fixed<128, 0>, Fixed<31, -90>>), (Two<Fixed<200, 90>, Fixed<100, 20>>),

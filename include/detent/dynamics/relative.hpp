@@ -5,6 +5,7 @@
 
 #include "detent/dynamics/contact.hpp"
 #include "detent/dynamics/local.hpp"
+#include "detent/dynamics/manifold/pair.hpp"
 #include "detent/math/width.hpp"
 
 namespace detent::detail {
@@ -43,6 +44,20 @@ template <Scalar S, int N>
     }
   }
   return pose;
+}
+
+/// Whether two hulls are surely more than the margin apart, because of the face of the first that the
+/// second is above; nothing is known of other shapes.
+template <class A, class B, Scalar S, int N>
+[[nodiscard]] constexpr bool is_surely_beyond(
+    [[maybe_unused]] const Support<S, N>& support,
+    [[maybe_unused]] const Vec<typename Formats<S>::Lever, N>& offset, [[maybe_unused]] const A& a,
+    [[maybe_unused]] const B& b, [[maybe_unused]] const typename Formats<S>::Gap& margin) noexcept {
+  if constexpr (has_filters && is_hull_solid<A> && is_hull_solid<B>) {
+    return ball_is_above(faces_of(a), faces_of(b), relative_place(support, offset), margin);
+  } else {
+    return false;
+  }
 }
 
 /// Whether two balls or capsules are surely more than the margin apart, because their centers are.

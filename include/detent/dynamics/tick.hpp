@@ -375,6 +375,7 @@ class Tick {
             if constexpr (std::is_same_v<B, Sphere<S, N>>) {
               pose.translation = relative_place(a, offset);  // a ball has no axes
             } else {
+              if (is_surely_beyond(a, offset, first, second, margin)) return;
               pose = relative_pose(a, b, offset);
             }
             const bool known = old < before.size() && pair_of(before[old]) == pair;

@@ -113,6 +113,15 @@ template <class T, int B, int F>
   if constexpr (shift <= 0) {
     return floor_to<T>(x);
   } else {
+    if constexpr (detail::fills_container(B) && B > 31 && shift < B) {
+      using Exact = typename Fixed<B, F>::raw_type;
+      // Rounds the part below the grid alone, since a sum with x might need twice the bits.
+      const Exact whole = shift_right_floor(x.raw(), shift);
+      const Exact rest = wrapping_subtract<Exact>(x.raw(), shift_left(whole, shift));
+      const Exact middle = shift_left(Exact(1), shift - 1);
+      const bool is_up = rest > middle || (rest == middle && !low_bits_are_zero(whole, 1));
+      return detail::clamp_raw<T>(wrapping_add<Exact>(whole, Exact(is_up ? 1 : 0)));
+    }
     using Raw = IntegerFor<(std::max)(B, shift) + 1>;
     const Raw raw = integer_cast<Raw>(x.raw());
     const Raw below_half = wrapping_subtract<Raw>(shift_left(Raw(1), shift - 1), Raw(1));

@@ -361,7 +361,7 @@ struct ShortCuts {
   using Lever = lever<T>;
   using Polytope = detail::Polytope<T, 3>;
   using Points = std::span<const Vec<Lever, 3>>;
-  int hits = 0, edges = 0, fewer = 0, regular = 0;
+  int hits = 0, edges = 0, fewer = 0, regular = 0, beyond = 0;
 
   static auto least_height(const Polytope& shape, std::size_t f, const Points& points) {
     auto least = shape.height(shape.faces[f], points[0]);
@@ -377,9 +377,31 @@ struct ShortCuts {
     const auto separation = least_height(shape, face, points);
     const detail::BestPlane<T, 3> plain(shape, points);
     REQUIRE((plain.face == face && plain.separation == separation));
-    const detail::BestPlane<T, 3> best(shape, points, center, margin);
+    detail::FaceHeights<T> heights;
+    const detail::BestPlane<T, 3> best(shape, points, center, margin, heights);
     REQUIRE((best.separation > margin) == (separation > margin));
-    if (separation <= margin) REQUIRE((best.face == face && best.separation == separation));
+    if (separation > margin) return;
+    REQUIRE((best.face == face && best.separation == separation));
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+      REQUIRE(heights[f] == shape.height(shape.faces[f], points[best.lowest]));
+    }
+  }
+  /// The incident face of every face, and of every edge's direction.
+  void check_opposed(const Polytope& a, const Polytope& b, const detail::RelativePose<T, 3>& pose) {
+    const auto turn = [&](const auto& v) { return detail::turned(pose, v); };
+    const auto back = [&](const auto& v) { return detail::turned_back(pose, v); };
+    const auto check_one = [&](const Vec<ratio<T>, 3>& n) {
+      const auto cosine = [&](std::size_t f) {
+        return dot(n, nearest_to<ratio<T>>(turn(b.faces[f].normal)));
+      };
+      std::size_t found = 0;
+      for (std::size_t f = 1; f < b.faces.size(); ++f) {
+        if (cosine(f) < cosine(found)) found = f;
+      }
+      REQUIRE(detail::most_opposed(b, n, turn, back) == found);
+    };
+    for (const auto& face : a.faces) check_one(face.normal);
+    for (const auto& edge : a.edges) check_one(edge.along);
   }
 
   void check(const SolidHull<T, 3>& first, const SolidHull<T, 3>& second,
@@ -400,12 +422,21 @@ struct ShortCuts {
     const detail::MovedPoints<T, 3> points(
         b, [&](const auto& p) { return detail::placed_point<Lever>(pose, p); });
     check_faces(a, points.view(), pose.translation, margin);
+    check_opposed(a, b, pose);
+    if (detail::ball_is_above(a, b, pose.translation, margin)) {
+      ++beyond;
+      REQUIRE(wanted.count == 0);
+    }
     regular += a.reach > 0 && b.reach > 0 ? 1 : 0;
     if (m.count == 0) return;
     ++hits;
     edges += m.points[0].feature >= (1u << 30) ? 1 : 0;
     const auto limit = detail::facing_height(a, b, pose, m.points[0].separation);
-    const auto facing = detail::edges_facing(a, points.at[0], limit);
+    detail::FaceHeights<T> heights;
+    for (std::size_t f = 0; f < a.faces.size(); ++f) {
+      heights[f] = a.height(a.faces[f], points.at[0]);
+    }
+    const auto facing = detail::edges_facing(a, heights, limit);
     fewer += facing.count < a.edges.size() ? 1 : 0;
   }
 };
@@ -464,12 +495,13 @@ void compare_short_cuts(int rounds) {
     using Gap = typename detail::Formats<T>::Gap;
     checked.check(*a, *b, pose, Gap::assume_raw(random.coin() ? 0 : 80'000));
   }
-  CAPTURE(checked.hits, checked.edges, checked.fewer, checked.regular);
+  CAPTURE(checked.hits, checked.edges, checked.fewer, checked.regular, checked.beyond);
   CHECK(checked.hits > rounds / 5);
   CHECK(checked.edges > rounds / 100);
   CHECK(checked.fewer > checked.hits / 5);
   CHECK(checked.regular > rounds / 5);
   CHECK(checked.regular < rounds);
+  CHECK(checked.beyond > rounds / 50);
 }
 
 TEMPLATE_TEST_CASE("manifold: edges and faces left out change nothing", "", q16_16, q14_16, q24_8,
@@ -479,6 +511,140 @@ TEMPLATE_TEST_CASE("manifold: edges and faces left out change nothing", "", q16_
 TEMPLATE_TEST_CASE("manifold: long comparison of edges and faces left out", "[.demand]", q16_16,
                    q14_16, q24_8, q8_8) {
   compare_short_cuts<TestType>(200'000);
+}
+
+/// The rotation of `from` to `to`, both unit vectors.
+template <Scalar T>
+void turn_onto(detail::RelativePose<T, 3>& pose, const Vector& from, const Vector& to) {
+  const double c = 1 + from[0] * to[0] + from[1] * to[1] + from[2] * to[2];
+  const Vector n{from[1] * to[2] - from[2] * to[1], from[2] * to[0] - from[0] * to[2],
+                 from[0] * to[1] - from[1] * to[0]};
+  turn(pose, {c, n[0], n[1], n[2]});
+}
+
+/// The ball around a hull whose farthest corner points at a face, close to where it counts as above.
+template <class T>
+void compare_balls(int rounds) {
+  Random random(25);
+  int near = 0, above = 0, reached = 0;
+  std::vector<Vec<T, 3>> first, second;
+  for (int i = 0; i < rounds; ++i) {
+    const int most = (std::min)(bits_of<T> - 1, 21);
+    const int bits = static_cast<int>(random.between(6, most));
+    const auto a = draw_any_hull<T>(random, bits, first),
+               b = draw_any_hull<T>(random, bits, second);
+    if (!a || !b || b->faces().radius == 0) continue;
+    const auto shape = a->faces(), other = b->faces();
+    const auto length = [](const auto& p) {
+      return std::hypot(double(p.x.raw()), double(p.y.raw()), double(p.z.raw()));
+    };
+    const auto scaled = [&](const auto& p, double by) {
+      return Vector{p.x.raw() * by, p.y.raw() * by, p.z.raw() * by};
+    };
+    auto farthest = other.points[0];
+    for (const auto& p : other.points) {
+      if (length(p) > length(farthest)) farthest = p;
+    }
+    const double radius = other.radius.raw();
+    REQUIRE((radius >= length(farthest) && radius <= length(farthest) + 2));
+    const auto& face = shape.faces[random.below(shape.faces.size())];
+    const auto n = scaled(face.normal, std::ldexp(1, -30));
+    detail::RelativePose<T, 3> pose;
+    turn_onto(pose, scaled(farthest, 1 / length(farthest)), {-n[0], -n[1], -n[2]});
+    using Gap = typename detail::Formats<T>::Gap;
+    const auto margin = Gap::assume_raw(random.coin() ? 0 : 80'000);
+    const auto extra = static_cast<double>(random.between(-1500, 1500));
+    const double height = radius + margin.raw() + extra;
+    for (int c = 0; c < 3; ++c) {
+      pose.translation[c] = lever<T>::assume_raw(static_cast<std::int32_t>(
+          shape.corner(face, 0)[c].raw() + height * n[static_cast<std::size_t>(c)]));
+    }
+    const detail::MovedPoints<T, 3> points(
+        other, [&](const auto& p) { return detail::placed_point<lever<T>>(pose, p); });
+    const bool is_over =
+        ShortCuts<T>::least_height(shape, static_cast<std::size_t>(&face - shape.faces.data()),
+                                   points.view()) > margin;
+    const bool is_above = detail::ball_is_above(shape, other, pose.translation, margin);
+    ++near;
+    above += is_above ? 1 : 0;
+    reached += is_over ? 0 : 1;
+    if (is_above) {
+      REQUIRE(detail::polytope_manifold(shape, other, pose, margin).count == 0);
+    } else {
+      REQUIRE(extra < 1030);
+    }
+    if (extra > 64) REQUIRE(is_over);
+    if (extra < -64) REQUIRE(!is_over);
+  }
+  CAPTURE(near, above, reached);
+  CHECK(near > rounds / 2);
+  CHECK((above > near / 10 && above < near / 2));
+  CHECK((reached > near / 4 && reached < 3 * near / 4));
+}
+
+TEMPLATE_TEST_CASE("manifold: a hull whose ball is above a face does not touch", "", q16_16, q14_16,
+                   q24_8, q8_8) {
+  compare_balls<TestType>(4000);
+}
+
+/// Edges in every direction, some of them almost parallel, and separations close to theirs.
+template <class T>
+void compare_crossings(int rounds) {
+  Random random(26);
+  int sure = 0, close = 0, crossed = 0;
+  using Gap = typename detail::Formats<T>::Gap;
+  const auto direction = [&](const Vector& near, double spread) {
+    Vec<Fixed<31, 20>, 3> v{};
+    for (int c = 0; c < 3; ++c) {
+      v[c] = Fixed<31, 20>::from_double(near[static_cast<std::size_t>(c)] + spread * unit(random));
+    }
+    return detail::unit_or_x<ratio<T>>(v);
+  };
+  const auto as_doubles = [](const Vec<ratio<T>, 3>& v) {
+    return Vector{std::ldexp(v.x.raw(), -30), std::ldexp(v.y.raw(), -30),
+                  std::ldexp(v.z.raw(), -30)};
+  };
+  for (int i = 0; i < rounds; ++i) {
+    const auto e = direction({}, 1);
+    const auto f = direction(as_doubles(e), random.coin() ? 1 : 0.03);
+    const auto u = direction({}, 1), v = direction({}, 1);
+    const auto outward = u + v;
+    const int bits = static_cast<int>(random.between(4, 30));
+    const auto coordinate = [&] {
+      return lever<T>::assume_raw(static_cast<std::int32_t>(
+          random.between(-(std::int64_t{1} << bits), std::int64_t{1} << bits)));
+    };
+    const Vec<lever<T>, 3> p{coordinate(), coordinate(), coordinate()};
+    const Vec<lever<T>, 3> q{coordinate(), coordinate(), coordinate()};
+    const auto n = detail::across_edges<T>(e, f, outward);
+    std::int64_t exact = 0;
+    if (n) {
+      exact = nearest_to<Gap>(detail::Polytope<T, 3>::along(*n, q, p)).raw();
+      ++crossed;
+    }
+    const auto width = random.coin() ? std::int64_t{3000} : (std::int64_t{1} << bits) / 4 + 1;
+    const auto separation =
+        nearest_to<Gap>(Fixed<62, Gap::frac>::assume_raw(exact + random.between(-width, width)));
+    const bool is_low = detail::is_surely_at_most<T>(e, f, outward, q - p, separation);
+    sure += is_low ? 1 : 0;
+    if (is_low && n) {
+      REQUIRE(exact <= separation.raw());
+      close += separation.raw() - exact < 2000 ? 1 : 0;
+    }
+  }
+  CAPTURE(sure, close, crossed);
+  CHECK((sure > rounds / 20 && sure < rounds / 2));
+  CHECK(close > rounds / 200);
+  CHECK((crossed > rounds / 2 && crossed < rounds));
+}
+
+TEMPLATE_TEST_CASE("manifold: edges surely too close together are", "", q16_16, q14_16, q24_8,
+                   q8_8) {
+  compare_crossings<TestType>(20'000);
+}
+TEMPLATE_TEST_CASE("manifold: long comparison of edges too close together", "[.demand]", q16_16,
+                   q8_8) {
+  compare_crossings<TestType>(2'000'000);
 }
 
 TEST_CASE("manifold: a hull without an asset touches nothing") {

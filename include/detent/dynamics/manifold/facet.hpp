@@ -107,7 +107,8 @@ template <Scalar S>
   const MovedPoints<S, 3> points(shape,
                                  [&](const auto& p) { return placed_point<Lever>(pose, p); });
   const auto out = [&](const auto& v) { return turned(pose, v); };
-  return clipped_faces(top, 0, shape, points.view(), out, 0u, margin);
+  const auto back = [&](const auto& v) { return turned_back(pose, v); };
+  return clipped_faces(top, 0, shape, points.view(), out, back, 0u, margin);
 }
 
 }  // namespace detent::detail

@@ -30,6 +30,21 @@ template <Scalar S, std::size_t Points, class Lever = typename Formats<S>::Lever
   return reach;
 }
 
+/// The `radius` of a polytope with this center. Not known for scalars that round, nor if it may be
+/// 2^29 steps.
+template <Scalar S, int N, std::size_t Points, class Lever = typename Formats<S>::Lever>
+[[nodiscard]] constexpr Lever radius_of(const PolytopeParts<S, N, Points>& parts) noexcept {
+  if constexpr (is_fixed<S>) {
+    auto most = squared_length(parts.points[0]);
+    for (std::size_t i = 1; i < parts.point_count; ++i) {
+      most = (max)(most, squared_length(parts.points[i]));
+    }
+    const auto radius = sqrt_floor<Lever>(most);
+    if (radius.raw() >> 29 == 0) return nearest_to<Lever>(radius + positive<Lever>());
+  }
+  return {};
+}
+
 /// The faces of a hull: its corners in the order of its points, its faces in that of their first
 /// directed edge, by corners. Points that are not corners have no effect. No faces for a hull
 /// without volume.
@@ -109,6 +124,7 @@ template <std::size_t Points, Scalar S, int N>
     }
     if constexpr (has_filters) parts.reach = regular_reach(parts);
   }
+  if constexpr (has_filters) parts.radius = radius_of(parts);
   return parts;
 }
 

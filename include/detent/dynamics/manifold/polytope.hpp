@@ -42,6 +42,8 @@ struct Polytope {
   std::span<const PolytopeEdge<S>> edges;
   /// The greatest magnitude of a corner's coordinate, if `edges_facing` may leave out edges; else 0.
   Lever reach{};
+  /// No corner is farther from the origin; 0 if that is not known.
+  Lever radius{};
 
   /// Corner `k` of a face, from 0 on.
   [[nodiscard]] constexpr const Point& corner(const PolytopeFace<S, N>& face,
@@ -91,12 +93,16 @@ struct PolytopeParts {
   std::array<Vec<Ratio, N>, side_room> sides{};
   std::array<PolytopeEdge<S>, edge_room> edges{};
   std::size_t point_count = 0, face_count = 0, side_count = 0, edge_count = 0;
-  typename Formats<S>::Lever reach{};
+  typename Formats<S>::Lever reach{}, radius{};
 
   [[nodiscard]] constexpr Polytope<S, N> view() const noexcept {
-    return {std::span(points).first(point_count), std::span(faces).first(face_count),
-            std::span(corners).first(side_count), std::span(sides).first(side_count),
-            std::span(edges).first(edge_count),   reach};
+    return {std::span(points).first(point_count),
+            std::span(faces).first(face_count),
+            std::span(corners).first(side_count),
+            std::span(sides).first(side_count),
+            std::span(edges).first(edge_count),
+            reach,
+            radius};
   }
 
   constexpr void add_face(const Vec<Ratio, N>& normal) noexcept {
@@ -164,6 +170,18 @@ template <Scalar S, int N>
           parts.add_edge(corner | on_side(i, true), corner, axis(i, false),
                          j_is_left ? face_j : face_k, j_is_left ? face_k : face_j);
         }
+      }
+    }
+  }
+  if constexpr (has_filters && N == 3) {
+    if (box.is_aligned) {  // so the axes are exactly perpendicular
+      for (const auto& p : parts.points) {
+        for (int c = 0; c < 3; ++c) {
+          parts.reach = (max)(parts.reach, nearest_to<Lever>(abs(p[c])));
+        }
+      }
+      if constexpr (is_fixed<S>) {
+        if (parts.reach.raw() >> 29 != 0) parts.reach = {};
       }
     }
   }

@@ -121,6 +121,10 @@ template <Scalar S, int N>
                                                    const BoxCore<S, N>& b) noexcept {
   using Ratio = typename Formats<S>::Ratio;
   using Lever = typename Formats<S>::Lever;
+  if constexpr (has_filters) {  // as for all boxes that are bodies
+    const Vec<Lever, N> origin{};
+    if (a.is_aligned && b.is_aligned && a.center == origin && b.center == origin) return pose;
+  }
   RelativePose<S, N> result;
   const auto offset = (pose.translation + turned(pose, b.center)) - a.center;
   result.translation =
