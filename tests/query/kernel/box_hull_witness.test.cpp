@@ -50,10 +50,13 @@ void compare(const Obb<S, 3>& box, const Shape& shape, Rates& rates) {
   REQUIRE(closest_points(shape, box) == swapped.find_exactly());
   if constexpr (std::is_same_v<Shape, Triangle<S, 3>>) {
     if (found != Filtered::yes) return;
-    const auto nowhere = [] { return std::optional<Vec<S, 3>>(); };
-    const auto common = witness.common_point_of_triangle(true, nowhere);
-    rates.sure_common.count(common.is_sure);
-    if (common.is_sure) REQUIRE(common.value == exact.first);
+    const auto enter_box = [&] { return detail::first_entry<S>(body_b, body_a); };
+    for (const bool is_box_first : {true, false}) {
+      const auto common = witness.common_point_of_triangle(is_box_first, enter_box);
+      rates.sure_common.count(common.is_sure);
+      if (!common.is_sure) continue;
+      REQUIRE(common.value == (is_box_first ? exact : swapped.find_exactly()).first);
+    }
   }
 }
 
@@ -131,7 +134,7 @@ TEST_CASE("box and hull witness: it decides pairs in general position", "[query]
       return S::from_raw(static_cast<std::int32_t>(random.between(low, high)));
     };
     const auto near = [&] { return make_vec<3>([&](int) { return number(-(3 << 16), 3 << 16); }); };
-    const Obb<S, 3> box{near(), make_vec<3>([&](int) { return number(1 << 14, 2 << 16); }),
+    const Obb<S, 3> box{near(), make_vec<3>([&](int) { return number(1 << 15, 6 << 16); }),
                         random_turn<S>(random, 32)};
     const auto middle = near();
     std::array<Vec<S, 3>, 12> points;
@@ -145,7 +148,7 @@ TEST_CASE("box and hull witness: it decides pairs in general position", "[query]
   CHECK(rates.sure_apart.percent() >= 99);
   CHECK(rates.sure_overlap.percent() >= 99);
   INFO("common " << rates.sure_common);
-  CHECK(rates.sure_common.percent() >= 80);  // of the others, an edge of the triangle enters first
+  CHECK(rates.sure_common.percent() >= 95);
 }
 
 }  // namespace

@@ -381,8 +381,12 @@ class BoxHullWitness {
   /// bits, so a volume is off by less than 2^86.
   [[nodiscard]] constexpr Filtered pierces_triangle(std::size_t i, std::size_t j) const noexcept {
     using Cut = Fixed<41, 0>;
-    const auto cut = [](const Vec<Place, 3>& v) {
-      return make_vec<3>([&](int k) { return Cut::assume_raw(shift_right_floor(v[k].raw(), 19)); });
+    const int dropped = (std::max)(dropped_ - 12, 0);
+    const auto cut = [dropped](const Vec<Place, 3>& v) {
+      return make_vec<3>([&](int k) {
+        return Cut::assume_raw(
+            integer_cast<typename Cut::raw_type>(shift_right_floor(v[k].raw(), dropped)));
+      });
     };
     std::array<Vec<Cut, 3>, 3> to;
     for (std::size_t k = 0; k < 3; ++k) to[k] = cut(corner({i, k}));
