@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "detent/query/distance.hpp"
 #include "detent/shape/frustum.hpp"
 #include "query/raycast/helpers.hpp"
 
@@ -197,6 +198,53 @@ TEMPLATE_TEST_CASE("contact: clamped at the ends of the domain", "[contact]",
   const Aabb<S, N> world{filled<S, N>(S::lowest()), filled<S, N>(S::max())};
   CHECK(contact(world, world)->depth == S::max());
   CHECK(contact(world, world)->normal == (toward<S, N>(1)));
+}
+
+TEMPLATE_TEST_CASE("contact: a short shape in the line or plane of a long one touches it there",
+                   "[contact]", DETENT_EVERYDAY_FIXED_SPACES) {
+  // The normal is rounded, so that the ends of the long one may seem to be on one side of it, and the
+  // middle on the other.
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  using Raw = typename S::raw_type;
+  Random random(31);
+  const auto most = static_cast<int>(static_cast<std::int64_t>(S::max().raw()) / 40);
+  const auto step = [&] { return static_cast<int>(random.below(std::uint64_t(2 * most))) - most; };
+  const auto nearest = moved(S(0), 4 + (40 * most) / (1 << (bits_of<direction_component<S>> - 4)));
+  long found = 0;
+  for (int i = 0; i < 1000; ++i) {
+    std::array<std::array<int, 3>, 2> axes{};
+    for (auto& axis : axes) {
+      for (auto& component : axis) component = step();
+    }
+    const auto place = [&](int along, int across) {
+      return make_vec<N>([&](int k) {
+        const auto c = static_cast<std::size_t>(k);
+        return S::from_raw(static_cast<Raw>(along * axes[0][c] + across * axes[1][c]));
+      });
+    };
+    const auto check = [&](const auto& small, const auto& large) {
+      const auto ahead = contact(small, large), back = contact(large, small);
+      REQUIRE(ahead);
+      REQUIRE(back);
+      INFO(random << ", pair " << i);
+      for (std::size_t k = 0; k < ahead->count; ++k) {
+        CHECK(distance(small, ahead->points[k].point) <= nearest);
+      }
+      for (std::size_t k = 0; k < back->count; ++k) {
+        CHECK(distance(small, back->points[k].point) <= nearest);
+      }
+      found += ahead->count > 1 && back->count > 1;
+    };
+    const int at = static_cast<int>(random.below(7)) - 3;
+    check(Segment<S, N>{place(at, 0), place(at + 1, 0)},
+          Segment<S, N>{place(-16, 0), place(14, 0)});
+    if constexpr (N == 3) {
+      check(Triangle<S, 3>{place(at, 0), place(at + 1, 0), place(at, 1)},
+            Triangle<S, 3>{place(-16, -10), place(16, -12), place(1, 16)});
+    }
+  }
+  CHECK(found > 900);
 }
 
 }  // namespace

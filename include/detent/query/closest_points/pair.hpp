@@ -10,6 +10,7 @@
 #include "detent/query/kernel/argument.hpp"
 #include "detent/query/kernel/box_common_point.hpp"
 #include "detent/query/kernel/box_filter.hpp"
+#include "detent/query/kernel/box_hull_witness.hpp"
 #include "detent/query/kernel/box_witness.hpp"
 #include "detent/query/kernel/closest_in_frame.hpp"
 #include "detent/query/kernel/convex_body.hpp"
@@ -62,6 +63,42 @@ template <Scalar S, int N>
   }
 }
 
+/// Filter: the closest points of an oriented box and a hull, in either order.
+template <class A, class B>
+[[nodiscard]] constexpr auto closest_points_of_box_and_hull(const A& a, const B& b) noexcept {
+  using Point = typename PointOf<A>::type;
+  using S = std::remove_cvref_t<decltype(Point().x)>;
+  constexpr bool is_box_first = is_kind<A, Obb>;
+  auto witness = [&] {
+    if constexpr (is_box_first) {
+      return BoxHullWitness<S>(a, hull_corners(b));
+    } else {
+      return BoxHullWitness<S>(b, hull_corners(a));
+    }
+  }();
+  using Result = Decided<std::pair<Point, Point>>;
+  const auto overlap = witness.find();
+  if (overlap == Filtered::unsure) return Result{{}, false};
+  if (overlap == Filtered::yes) {
+    if constexpr (is_kind<A, Triangle> || is_kind<B, Triangle>) {
+      const auto enter_box = [&] {
+        if constexpr (is_box_first) {
+          return first_entry<S>(body_of(b), body_of(a));
+        } else {
+          return first_entry<S>(body_of(a), body_of(b));
+        }
+      };
+      const auto point = witness.common_point_of_triangle(is_box_first, enter_box);
+      if (point.is_sure) return Result{{point.value, point.value}, true};
+    }
+    const auto point = common_point<S>(body_of(a), body_of(b));
+    return Result{{point, point}, true};
+  }
+  auto result = witness.closest_points();
+  if (!is_box_first) std::swap(result.value.first, result.value.second);
+  return result;
+}
+
 /// The closest points of two shapes with the cores a and b, which have points.
 template <bool AreRound, Scalar S, class A, class B>
 [[nodiscard]] constexpr auto closest_points_of_cores(const A& a, const B& b, const S& radius_a,
@@ -93,6 +130,10 @@ template <bool AreRound, Scalar S, class A, class B>
         const auto points = BoxWitness<S>(a, b).closest_points();
         if (points.is_sure) return points.value;
       }
+    }
+    if constexpr (has_box_hull_witness<A, B> || has_box_hull_witness<B, A>) {
+      const auto found = closest_points_of_box_and_hull(a, b);
+      if (found.is_sure) return found.value;
     }
     const auto body_a = body_of(a);
     const auto body_b = body_of(b);

@@ -66,7 +66,7 @@ class ContactBuilder {
         const auto& first = a_is_reference_ ? a : b;
         const auto& other = a_is_reference_ ? b : a;
         const auto along = first.corners[1] - first.corners[0];
-        overlap(first, other, other.corners[0],
+        overlap(first, other, other.corners[0], squared_length(along),
                 [&](const Corner<S, 3>& p) { return dot(along, p - first.corners[0]); });
       } else {
         const auto part = dot(normal_, cross(b.corners[0] - a.corners[0], f));
@@ -225,21 +225,59 @@ class ContactBuilder {
   constexpr void push(const Vec<S, N>& point, const Depth& depth, std::uint32_t feature,
                       const Corner<S, N>& place) noexcept {
     const auto whole_depth = radii_ + depth;
-    if (whole_depth < 0 || count_ == most) return;
+    if (whole_depth < lowest_depth_ || count_ == most) return;
     places_.set(count_, place);
     points_.set(count_, point);
-    depths_.set(count_, floor_to<S>(depth < depth_ ? whole_depth : radii_ + depth_));
+    depths_.set(count_, whole_depth < 0
+                            ? S(0)
+                            : floor_to<S>(depth < depth_ ? whole_depth : radii_ + depth_));
     features_[count_++] = feature;
   }
 
+  /// How many of the least steps of S the rounding of the normal may move a corner.
+  static constexpr int most_tilt = 4;
+  /// Calls `find` again if there are no points yet: long features in one plane may seem apart where
+  /// they meet, because the normal is rounded.
+  template <class Find>
+  constexpr void find_tilted(const Find& find) noexcept {
+    if constexpr (is_fixed<S>) {
+      if (count_ > 0) return;
+      lowest_depth_ = steps(-most_tilt);
+      find();
+      lowest_depth_ = S(0);
+    }
+  }
+
   /// Two segments, or a segment and a point, whose projections along the normal are in one line:
-  /// `place` is the position along that line.
-  template <class Place>
+  /// `place` is the position along that line, in units whose square is `squared_unit`.
+  template <class Square, class Place>
   constexpr void overlap(const Face& reference, const Face& incident, const Corner<S, N>& deepest,
-                         const Place& place) noexcept {
+                         const Square& squared_unit, const Place& place) noexcept {
     const auto start = place(reference.corners[0]), end = place(reference.corners[1]);
     const auto& low = start < end ? start : end;
     const auto& high = start < end ? end : start;
+    overlap_between(low, high, reference, incident, deepest, place);
+    if (count_ > 0) return;
+    // Without the rounding of the normal, they would meet in ends.
+    const auto beyond = [&](const auto& p) {
+      const auto at = place(p);
+      return at < low ? low - at : at - high;
+    };
+    const auto& from = incident.corners[0];
+    const auto& to = incident.corners[incident.count - 1];
+    const bool is_last = beyond(to) < beyond(from);
+    const auto distance = is_last ? beyond(to) : beyond(from);
+    if (square(distance) > squared_unit * square(steps(most_tilt)))
+      find_tilted([&] { overlap_between(low, high, reference, incident, deepest, place); });
+    if (count_ > 0) return;
+    const std::size_t i = is_last ? incident.count - 1 : 0;
+    add(incident.corners[i], a_is_reference_, depth_,
+        both_by_role(edge(reference, 0, 1), corner(incident, i)));
+  }
+  template <class At, class Place>
+  constexpr void overlap_between(const At& low, const At& high, const Face& reference,
+                                 const Face& incident, const Corner<S, N>& deepest,
+                                 const Place& place) noexcept {
     for (std::size_t i = 0; i < incident.count; ++i) {
       const auto& q = incident.corners[i];
       const auto at = place(q);
@@ -257,12 +295,6 @@ class ContactBuilder {
                 depth_between(drop(from, deepest), drop(to, deepest), at - first, last - first),
                 at - first, last - first);
     }
-    if (count_ > 0) return;
-    // Without the rounding of the normal, they would meet in ends.
-    const auto beyond = [&](const auto& at) { return at < low ? low - at : at - high; };
-    const std::size_t i = beyond(last) < beyond(first) ? incident.count - 1 : 0;
-    add(incident.corners[i], a_is_reference_, depth_,
-        both_by_role(edge(reference, 0, 1), corner(incident, i)));
   }
 
   /// Adds corner i of the reference, part / all of the way along an incident segment.
@@ -291,7 +323,7 @@ class ContactBuilder {
 
   constexpr void clip(const Face& reference, const Face& incident,
                       const Corner<S, N>& deepest) noexcept requires(N == 2) {
-    overlap(reference, incident, deepest,
+    overlap(reference, incident, deepest, S(1),
             [&](const Corner<S, 2>& p) { return cross(seen_, p - reference.corners[0]); });
   }
 
@@ -304,7 +336,8 @@ class ContactBuilder {
           const Rim incident_rim(seen_, incident_corners, incident.count);
           clip_within(reference, rim, incident, incident_rim, deepest, 0);
           // They meet in their rims, but for the rounding of the normal.
-          if (count_ == 0) clip_within(reference, rim, incident, incident_rim, deepest, 4);
+          if (count_ == 0) clip_within(reference, rim, incident, incident_rim, deepest, most_tilt);
+          find_tilted([&] { clip_within(reference, rim, incident, incident_rim, deepest, 0); });
         },
         reference, incident);
     if (count_ > 0) return;
@@ -479,6 +512,7 @@ class ContactBuilder {
   Far depth_;
   S radius_a_;
   decltype(S() + S()) radii_;
+  S lowest_depth_{};
   bool a_is_reference_ = true;
   VecList<S, N, most> points_;
   NumberList<S, most> depths_;

@@ -11,6 +11,7 @@
 #include "detent/query/contact/manifold.hpp"
 #include "detent/query/contact/segment_box.hpp"
 #include "detent/query/contact/sphere_box.hpp"
+#include "detent/query/contact/spheres.hpp"
 #include "detent/query/kernel/argument.hpp"
 #include "detent/query/kernel/least_push.hpp"
 
@@ -147,6 +148,9 @@ template <Scalar S, int N, class A, class B>
   }
   if constexpr (is_kind<B, Vec> && has_sphere_contact<S, A>) {
     if (has_solid_faces(a)) return SphereBoxContact<S, N, A>(a, b, radius_b, true).find();
+  }
+  if constexpr (is_kind<A, Vec> && is_kind<B, Vec> && filter_pays<S>) {
+    if (a != b) return contact_of_spheres(a, b, radius_a, radius_b);
   }
   if constexpr (is_kind<A, Plane>) {
     return contact_with_plane(a, b, radius_b, true);

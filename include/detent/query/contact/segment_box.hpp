@@ -81,14 +81,14 @@ template <Scalar S, int N>
 }
 
 /// The same by a filter (docs/filters.md, lemma 27).
-template <Scalar S>
+template <Scalar S, int N = 3>
 class SegmentBoxFilter {
  public:
-  using Result = SegmentBoxPush<S, 3>;
+  using Result = SegmentBoxPush<S, N>;
   using Found = Decided<std::optional<Result>>;
 
   template <class Box>
-  constexpr SegmentBoxFilter(const Box& box, const Segment<S, 3>& segment, const S& radius) noexcept
+  constexpr SegmentBoxFilter(const Box& box, const Segment<S, N>& segment, const S& radius) noexcept
       : radius_(radius), words_(box, segment) {}
 
   [[nodiscard]] constexpr Found find() const noexcept {
@@ -105,7 +105,7 @@ class SegmentBoxFilter {
   }
 
  private:
-  using Words = SegmentInFrame<S>;
+  using Words = SegmentInFrame<S, N>;
   using Place = typename Words::Place;
   static constexpr int frac = Words::frac;
   static constexpr Found unsure{std::nullopt, false};
@@ -125,22 +125,22 @@ class SegmentBoxFilter {
     if (!away.is_sure) return unsure;
     return apart(away.value, gap.value);
   }
-  [[nodiscard]] constexpr Found apart(const Direction<S, 3>& away,
+  [[nodiscard]] constexpr Found apart(const Direction<S, N>& away,
                                       const Length<S>& gap) const noexcept {
     Result result{away, Depth<S>(radius_ - gap)};
-    for (int i = 0; i < 3; ++i) result.add_side(i, words_.side(i));
+    for (int i = 0; i < N; ++i) result.add_side(i, words_.side(i));
     result.set_ends(words_.is_across() ? 0 : words_.closest_at() == ClosestAt::start ? 1 : -1);
     return {result, true};
   }
 
   /// The direction of `beyond` in the world.
-  [[nodiscard]] constexpr Decided<Direction<S, 3>> direction() const noexcept {
-    constexpr Decided<Direction<S, 3>> unsure_direction{{}, false};
+  [[nodiscard]] constexpr Decided<Direction<S, N>> direction() const noexcept {
+    constexpr Decided<Direction<S, N>> unsure_direction{{}, false};
     using Spot = Fixed<63, frac>;
     using Component = direction_component<S>;
     using Wrong = Fixed<40, Share::frac>;
     const auto in_world = from_frame(rotation(), words_.beyond());
-    const auto v = make_vec<3>([&](int i) { return narrow_floor<Spot>(in_world[i]); });
+    const auto v = make_vec<N>([&](int i) { return narrow_floor<Spot>(in_world[i]); });
     const int length = bit_length(v[longest_axis(v)].raw());
     if (length < 44) return unsure_direction;
     // v is off by less than 4 times this in each component, and at least 2^(length - 1) long: the
@@ -149,13 +149,13 @@ class SegmentBoxFilter {
     const auto steps = shift_left(integer_cast<typename Wrong::raw_type>(error.raw()), 67 - length);
     const auto shares = detail::shares(magnitudes<typename Spot::raw_type>(to_array(v)));
     const auto share_error = Wrong::from_raw(shares.error.raw()) + Wrong::assume_raw(steps);
-    std::array<Component, 3> unit;
-    for (std::size_t i = 0; i < 3; ++i) {
+    std::array<Component, std::size_t{N}> unit;
+    for (std::size_t i = 0; i < unit.size(); ++i) {
       const auto nearest = decide_nearest<Component>(Approximate{shares.value[i], share_error});
       if (!nearest.is_sure) return unsure_direction;
       unit[i] = with_sign(nearest.value, v[static_cast<int>(i)] < 0);
     }
-    return {Direction<S, 3>::assume_unit(from_array(unit)), true};
+    return {Direction<S, N>::assume_unit(from_array(unit)), true};
   }
 
   // A segment that meets the box leaves it across a face, or across the segment and an edge. The
@@ -170,7 +170,7 @@ class SegmentBoxFilter {
   /// Across the segment and an edge along an axis, over the root of `squared`.
   struct EdgePush {
     int axis = 0;
-    Vec<Place, 3> normal;
+    Vec<Place, N> normal;
     Fixed<125, 2 * frac> height, squared;
     bool is_sure = true;
   };
@@ -179,7 +179,7 @@ class SegmentBoxFilter {
     const auto &low = words_.low(), &high = words_.high(), &d = words_.along();
     FacePush face;
     bool is_only = true;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < N; ++i) {
       const auto up = narrow_difference<63>(high[i], d[i] < 0 ? d[i] : Place(0));
       const auto down = narrow_difference<63>(d[i] > 0 ? d[i] : Place(0), low[i]);
       const bool is_upper = up < down;
@@ -194,7 +194,7 @@ class SegmentBoxFilter {
     EdgePush best;
     Leading best_height;
     bool has_edge = false;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = N == 2 ? 2 : 0; i < 3; ++i) {
       const auto edge = across_edge(i);
       if (edge.squared == 0) continue;
       if (!edge.is_sure) return unsure;
@@ -215,7 +215,8 @@ class SegmentBoxFilter {
     return decide(difference(a, b, Relative{56}));
   }
 
-  /// The lesser of both pushes along the segment's cross product with axis i.
+  /// The lesser of both pushes along the segment's cross product with axis i; in 2D, axis 2 is that of
+  /// the plane.
   [[nodiscard]] constexpr EdgePush across_edge(int i) const noexcept {
     const auto &low = words_.low(), &high = words_.high(), &d = words_.along();
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -241,20 +242,20 @@ class SegmentBoxFilter {
     const auto outward = direction_of<S>(rotation().axis(face.axis).vec()).value_or(none());
     Result result{face.is_upper ? outward : -outward,
                   Depth<S>(radius_ + ceil_to<Length<S>>(face.height))};
-    for (int i = 0; i < 3; ++i) result.add_side(i, i != face.axis ? 0 : face.is_upper ? 1 : -1);
+    for (int i = 0; i < N; ++i) result.add_side(i, i != face.axis ? 0 : face.is_upper ? 1 : -1);
     result.set_ends(face.is_upper ? d : narrow_negative(d));
     return result;
   }
   [[nodiscard]] constexpr Result push_across(const EdgePush& edge) const noexcept {
     const auto away = direction_of<S>(from_frame(rotation(), edge.normal)).value_or(none());
     Result result{away, depth_of_height<S>(radius_, edge.height, edge.squared)};
-    for (int i = 0; i < 3; ++i) result.add_side(i, edge.normal[i]);
+    for (int i = 0; i < N; ++i) result.add_side(i, edge.normal[i]);
     result.set_ends(0);
     return result;
   }
-  [[nodiscard]] static constexpr Direction<S, 3> none() noexcept { return {}; }
+  [[nodiscard]] static constexpr Direction<S, N> none() noexcept { return {}; }
 
-  [[nodiscard]] constexpr const Rotation<S, 3>& rotation() const noexcept {
+  [[nodiscard]] constexpr const Rotation<S, N>& rotation() const noexcept {
     return words_.rotation();
   }
 
@@ -267,7 +268,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<SegmentBoxPush<S, N>> segment_box_push(
     const Obb<S, N>& box, const Segment<S, N>& segment, const S& radius) noexcept {
   if constexpr (has_segment_in_frame<Obb<S, N>>) {
-    const auto found = SegmentBoxFilter<S>(box, segment, radius).find();
+    const auto found = SegmentBoxFilter<S, N>(box, segment, radius).find();
     if (found.is_sure) return found.value;
   }
   return find_segment_box_push(box, segment, radius);

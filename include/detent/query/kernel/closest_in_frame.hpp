@@ -100,7 +100,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_in_frame(
     const Obb<S, N>& box, const Segment<S, N>& axis, const S& radius) noexcept {
   if constexpr (has_segment_in_frame<Obb<S, N>>) {
-    const auto points = SegmentInFrame<S>(box, axis).closest_points(radius);
+    const auto points = SegmentInFrame<S, N>(box, axis).closest_points(radius);
     if (points.is_sure) return points.value;
   }
   return find_closest_points_in_frame(box, axis, radius);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -241,6 +242,27 @@ class Entry {
   Fraction<Area, Area> crossed_{Area(2), Area(1)};
   Fraction<Volume, Volume> pierced_{Volume(2), Volume(1)};
 };
+
+/// Where the first segment between two corners of `from` that meets `other`, in the order of first
+/// and then second corner, enters it, rounded to nearest. No corner is in the other body.
+template <Scalar S, class From, class Other, int N = From::dimension>
+[[nodiscard]] constexpr std::optional<Vec<S, N>> first_entry(const From& from,
+                                                             const Other& other) noexcept {
+  using P = typename CommonCorner<std::remove_cvref_t<decltype(from.some().x)>,
+                                  std::remove_cvref_t<decltype(other.some().x)>>::type;
+  std::optional<Vec<S, N>> result;
+  const Sides sides(other);
+  const auto on_grid = [](const auto& corner) {
+    return make_vec<N>([&](int i) { return P(corner[i]); });
+  };
+  any_two_corners(from, [&](const auto& p, const auto& q) {
+    if (sides.are_outside(p, q)) return false;
+    if (!share_point(HullBody(std::array{p, q}), other)) return false;
+    result = Entry<S, P, Other>(on_grid(p), on_grid(q), other).find();
+    return true;
+  });
+  return result;
+}
 
 /// A common point of two bodies that overlap, rounded to nearest: the first corner of `a` that is
 /// in `b`; or else the first corner of `b` in `a`; or else where the first segment between two

@@ -28,10 +28,10 @@ enum class ClosestAt { unsure, meets, start, end, between };
 
 /// A segment in the frame of a box. Its point at t in [0, 1] is t d there, and the box is from `low`
 /// to `high`.
-template <Scalar S>
+template <Scalar S, int N = 3>
 class SegmentInFrame {
  public:
-  using Points = std::pair<Vec<S, 3>, Vec<S, 3>>;
+  using Points = std::pair<Vec<S, N>, Vec<S, N>>;
   static constexpr int frac = S::frac + 30;
   static_assert(direction_component<S>::frac == 30);
   using Place = Fixed<62, frac>;
@@ -40,12 +40,12 @@ class SegmentInFrame {
   /// The box must not be empty. Places are exact, because half steps occur only along axes of the
   /// world.
   template <class Box>
-  constexpr SegmentInFrame(const Box& box, const Segment<S, 3>& segment) noexcept
+  constexpr SegmentInFrame(const Box& box, const Segment<S, N>& segment) noexcept
       : box_(box), segment_(segment) {
     const auto apart = box_.center - segment.start;
     const auto along = segment.end - segment.start;
     if (!fits<31>(apart) || !fits<30>(along) || !fits<31>(box_.half_extents)) return;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < N; ++i) {
       const auto& axis = box_.rotation.axis(i).vec();
       center_[i] = narrow_floor<Place>(narrow_dot<62>(axis, apart));
       d_[i] = narrow_dot<61>(axis, along);
@@ -65,14 +65,14 @@ class SegmentInFrame {
   }
   /// The vector from the closest point of the box to that of the segment, off by at most `error` in
   /// each component, which is 0 at the ends of the segment.
-  [[nodiscard]] constexpr const Vec<Place, 3>& beyond() const noexcept { return beyond_; }
+  [[nodiscard]] constexpr const Vec<Place, N>& beyond() const noexcept { return beyond_; }
   [[nodiscard]] constexpr const Error& error() const noexcept { return error_; }
 
-  [[nodiscard]] constexpr const Vec<Place, 3>& low() const noexcept { return low_; }
-  [[nodiscard]] constexpr const Vec<Place, 3>& high() const noexcept { return high_; }
-  [[nodiscard]] constexpr const Vec<Place, 3>& along() const noexcept { return d_; }
+  [[nodiscard]] constexpr const Vec<Place, N>& low() const noexcept { return low_; }
+  [[nodiscard]] constexpr const Vec<Place, N>& high() const noexcept { return high_; }
+  [[nodiscard]] constexpr const Vec<Place, N>& along() const noexcept { return d_; }
 
-  [[nodiscard]] constexpr const Rotation<S, 3>& rotation() const noexcept { return box_.rotation; }
+  [[nodiscard]] constexpr const Rotation<S, N>& rotation() const noexcept { return box_.rotation; }
 
   /// The distance, rounded down.
   [[nodiscard]] constexpr Decided<Length<S>> distance_floor() const noexcept {
@@ -121,7 +121,7 @@ class SegmentInFrame {
   using Clip = RayClip<S, Place, Place, 124>;
   using Rough = Fixed<20, 0>;
   using OverOrUnder = Fixed<125, 2 * frac>;
-  using RoughVec = Vec<Rough, 3>;
+  using RoughVec = Vec<Rough, N>;
   using Spot = Fixed<63, frac>;  // in the world
 
   [[nodiscard]] static constexpr std::size_t at(int i) noexcept {
@@ -129,8 +129,8 @@ class SegmentInFrame {
   }
 
   /// The excess of a place over the box, with its sides.
-  [[nodiscard]] constexpr Vec<Place, 3> excess_of(const Vec<Place, 3>& place) noexcept {
-    return make_vec<3>([&](int i) {
+  [[nodiscard]] constexpr Vec<Place, N> excess_of(const Vec<Place, N>& place) noexcept {
+    return make_vec<N>([&](int i) {
       const auto& x = place[i];
       sides_[at(i)] = x < low_[i] ? -1 : x > high_[i] ? 1 : 0;
       const auto nearest = x < low_[i] ? low_[i] : x > high_[i] ? high_[i] : x;
@@ -155,25 +155,25 @@ class SegmentInFrame {
       return;
     }
     propose_sides();
-    const int outside = abs_of(sides_[0]) + abs_of(sides_[1]) + abs_of(sides_[2]);
+    int outside = 0;
+    for (const int side : sides_) outside += side * side;
     if (outside < 2) {
       enter();
     } else {
       check_between();
     }
   }
-  [[nodiscard]] static constexpr int abs_of(int side) noexcept { return side * side; }
 
   /// Finds the sides as in `nearest_of_slabs`, with rounded numbers.
   constexpr void propose_sides() noexcept {
     int length = Rough::bits;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < N; ++i) {
       length = (std::max)(length, bit_length(low_[i].raw()));
       length = (std::max)(length, bit_length(high_[i].raw()));
       length = (std::max)(length, bit_length(d_[i].raw()));
     }
     const auto rough = [dropped = length - Rough::bits](const auto& v) {
-      return make_vec<3>([&](int i) {
+      return make_vec<N>([&](int i) {
         return Rough::assume_raw(
             integer_cast<typename Rough::raw_type>(shift_right_floor(v[i].raw(), dropped)));
       });
@@ -188,9 +188,11 @@ class SegmentInFrame {
         const auto nearest = x < least ? least : x > most ? most : x;
         return narrow_product<61>(d[i], narrow_difference<41>(x, nearest));
       };
-      return narrow<63>(rise(0) + rise(1) + rise(2)) < 0;
+      auto sum = narrow<63>(rise(0) + rise(1));
+      if constexpr (N == 3) sum = narrow<63>(sum + rise(2));
+      return sum < 0;
     };
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < N; ++i) {
       const bool rises = d[i] >= 0;
       const auto under = abs(d[i]);
       const auto is_past = [&](const Rough& over) {
@@ -209,7 +211,7 @@ class SegmentInFrame {
   /// Checks exactly whether they share a point, and where the segment first enters the box.
   constexpr void enter() noexcept {
     Clip clip(S(1));
-    for (int i = 0; i < 3; ++i) clip.keep(i, low_[i], high_[i], d_[i]);
+    for (int i = 0; i < N; ++i) clip.keep(i, low_[i], high_[i], d_[i]);
     if (clip.is_empty()) return;
     over_ = OverOrUnder::assume_raw(clip.enter().numerator.raw());
     under_ = OverOrUnder::assume_raw(clip.enter().denominator.raw());
@@ -219,9 +221,9 @@ class SegmentInFrame {
   /// Checks whether the proposed sides are right: at the time of the least distance from the lines of
   /// the faces there, all places are surely on these sides.
   constexpr void check_between() noexcept {
-    Vec<Place, 3> bound, speed;
+    Vec<Place, N> bound, speed;
     auto longest = abs(d_.x);
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < N; ++i) {
       longest = (std::max)(longest, abs(d_[i]));
       if (sides_[at(i)] == 0) continue;
       bound[i] = sides_[at(i)] < 0 ? low_[i] : high_[i];
@@ -235,7 +237,7 @@ class SegmentInFrame {
     error_ = narrow<8>(narrow_floor<Error>(Fixed<62, frac + 56>::assume_raw(longest.raw())) +
                        Error::from_raw(2));
     bool is_right = true;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < N; ++i) {
       const auto x = place_[i] = narrow_floor<Place>(d_[i] * ratio_.quotient.value);
       const int side = sides_[at(i)];
       const auto above = narrow_difference<63>(x, high_[i]),
@@ -251,12 +253,12 @@ class SegmentInFrame {
   }
 
   /// The point of the segment at over_ / under_, rounded to nearest.
-  [[nodiscard]] constexpr Decided<Vec<S, 3>> on_segment() const noexcept {
+  [[nodiscard]] constexpr Decided<Vec<S, N>> on_segment() const noexcept {
     if (over_ == 0) return {segment_.start, true};
     if (over_ == under_) return {segment_.end, true};
-    Decided<Vec<S, 3>> result{{}, true};
+    Decided<Vec<S, N>> result{{}, true};
     const auto ratio = make_ratio_below_one(over_, under_);
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < N; ++i) {
       const auto& start = segment_.start[i];
       const auto x = decide_between<S>(start, segment_.end[i] - start, ratio);
       result.value[i] = x.value;
@@ -265,8 +267,8 @@ class SegmentInFrame {
     return result;
   }
   /// The closest point of the box in its frame; `place` is that of the segment.
-  [[nodiscard]] constexpr Vec<Place, 3> on_box(const Vec<Place, 3>& place) const noexcept {
-    return make_vec<3>([&](int i) {
+  [[nodiscard]] constexpr Vec<Place, N> on_box(const Vec<Place, N>& place) const noexcept {
+    return make_vec<N>([&](int i) {
       const Place extent(box_.half_extents[i]);
       return side(i) > 0   ? extent
              : side(i) < 0 ? narrow_negative(extent)
@@ -274,9 +276,9 @@ class SegmentInFrame {
     });
   }
 
-  [[nodiscard]] constexpr Points points_at_end(const Vec<S, 3>& end,
+  [[nodiscard]] constexpr Points points_at_end(const Vec<S, N>& end,
                                                const S& radius) const noexcept {
-    const auto place = closest_at_ == ClosestAt::start ? Vec<Place, 3>() : d_;
+    const auto place = closest_at_ == ClosestAt::start ? Vec<Place, N>() : d_;
     const auto in_world = nearest_to<S>(box_.center + from_frame(box_.rotation, on_box(place)));
     if (squared() <= square(radius)) return {in_world, in_world};
     return {in_world, nearly_rounded_beyond(end, radius,
@@ -295,7 +297,7 @@ class SegmentInFrame {
     // No axis exceeds 1 by a step, so the errors of three places add up, and one for the floor.
     const auto world_error = error_ + error_ + error_ + Error::from_raw(1);
     const auto from_center = from_frame(box_.rotation, on_box(place_));
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < N; ++i) {
       decide_at(
           in_world, i,
           Approximate{narrow_sum<63>(Spot(box_.center[i]), narrow_floor<Spot>(from_center[i])),
@@ -314,14 +316,14 @@ class SegmentInFrame {
       return result;
     }
     const auto to_box = from_frame(box_.rotation, narrow_negative(beyond_));
-    const auto across = make_vec<3>([&](int i) { return narrow_floor<Spot>(to_box[i]); });
+    const auto across = make_vec<N>([&](int i) { return narrow_floor<Spot>(to_box[i]); });
     bool is_long = false;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < N; ++i) {
       is_long = is_long || abs(across[i]) * Fixed<7, 0>(64) > radius;
     }
     if (!is_long) return {Points(), false};
     const auto moves = step_along(radius, to_array(across));
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < N; ++i) {
       const auto& start = segment_.start[i];
       const auto ahead = approximate_product(segment_.end[i] - start, ratio_).value;
       const auto x = narrow_sum<62>(finer<S, 30>(start) + ahead, moves.value[at(i)]);
@@ -330,13 +332,13 @@ class SegmentInFrame {
     return result;
   }
 
-  SpannedBox<S> box_;
-  Segment<S, 3> segment_;
+  SpannedBox<S, N> box_;
+  Segment<S, N> segment_;
   ClosestAt closest_at_ = ClosestAt::unsure;
   bool is_tie_ = false;  // the distance does not change at the end
-  Vec<Place, 3> center_, low_, high_, d_;
-  std::array<int, 3> sides_{};
-  Vec<Place, 3> beyond_, place_;
+  Vec<Place, N> center_, low_, high_, d_;
+  std::array<int, std::size_t{N}> sides_{};
+  Vec<Place, N> beyond_, place_;
   Error error_;
   OverOrUnder over_, under_;  // of the time
   BoundedRatio<OverOrUnder, OverOrUnder, 63, Steps<128>> ratio_{};
@@ -345,8 +347,8 @@ class SegmentInFrame {
 /// Whether to filter the queries of a box of this kind and a segment so.
 template <class Box>
 inline constexpr bool has_segment_in_frame = false;
-template <Scalar S>
-inline constexpr bool has_segment_in_frame<Obb<S, 3>> = is_fixed<S>&& filter_pays<S>;
+template <Scalar S, int N>
+inline constexpr bool has_segment_in_frame<Obb<S, N>> = is_fixed<S>&& filter_pays<S>;
 template <Scalar S>
 inline constexpr bool has_segment_in_frame<Aabb<S, 3>> = is_fixed<S>&& filter_pays<S>;
 

@@ -7,20 +7,20 @@
 namespace detent::detail {
 
 /// A box on the grid of half steps, which has the center of every box.
-template <Scalar S>
+template <Scalar S, int N = 3>
 struct SpannedBox {
   using Half = Fixed<S::bits + 1, S::frac + 1>;
 
-  explicit constexpr SpannedBox(const Obb<S, 3>& box) noexcept
-      : center(make_vec<3>([&](int i) { return Half(box.center[i]); })),
-        half_extents(make_vec<3>([&](int i) { return Half(box.half_extents[i]); })),
+  explicit constexpr SpannedBox(const Obb<S, N>& box) noexcept
+      : center(make_vec<N>([&](int i) { return Half(box.center[i]); })),
+        half_extents(make_vec<N>([&](int i) { return Half(box.half_extents[i]); })),
         rotation(box.rotation) {}
-  explicit constexpr SpannedBox(const Aabb<S, 3>& box) noexcept
-      : center(make_vec<3>([&](int i) { return half_of(box.min[i] + box.max[i]); })),
-        half_extents(make_vec<3>([&](int i) { return half_of(box.max[i] - box.min[i]); })) {}
+  explicit constexpr SpannedBox(const Aabb<S, N>& box) noexcept
+      : center(make_vec<N>([&](int i) { return half_of(box.min[i] + box.max[i]); })),
+        half_extents(make_vec<N>([&](int i) { return half_of(box.max[i] - box.min[i]); })) {}
 
-  Vec<Half, 3> center, half_extents;
-  Rotation<S, 3> rotation;
+  Vec<Half, N> center, half_extents;
+  Rotation<S, N> rotation;
 
  private:
   template <Number T>
