@@ -18,6 +18,12 @@ template <Scalar S, int N>
 using MovingCapsule = Moving<S, N, Capsule>;
 template <Scalar S, int N>
 using MovingRock = Moving<S, N, Rock>;
+template <Scalar S, int N>
+using MovingAabb = Moving<S, N, Aabb>;
+template <Scalar S, int N>
+using MovingTriangle = Moving<S, N, Triangle>;
+template <Scalar S, int N>
+using MovingSegment = Moving<S, N, Segment>;
 
 // Separate functions, compiled once for all loops; compared with such queries a call costs nothing.
 
@@ -87,20 +93,125 @@ void visit_hull_contacts(const Visit& visit) {
   visit(query<Rock, Rock>("contact/hull_hull", ask_contact, {2046, 2074}));
 }
 
+// Every pair of `cast`: a table for each moving shape and dimension.
+
 template <class Visit>
-void visit_round_casts(const Visit& visit) {
-  visit(query<MovingSphere, Aabb>("cast/sphere_aabb", ask_cast, {2046, 1999}));
-  visit(query<MovingSphere, Obb>("cast/sphere_obb", ask_cast, {2006, 1996}));
+void visit_sphere_casts(const Visit& visit) {
+  constexpr TargetRow solid[]{
+      {"cast/sphere_sphere", {2028, 0}},  {"cast/sphere_aabb", {2046, 0}},
+      {"cast/sphere_obb", {2006, 0}},     {"cast/sphere_triangle", {2071, 0}},
+      {"cast/sphere_capsule", {2011, 0}}, {"cast/sphere_hull", {2077, 0}},
+      {"cast/sphere_segment", {2069, 0}}, {"cast/sphere_plane", {2055, 0}},
+  };
+  visit_targets<MovingSphere, 3>(visit, ask_cast, solid);
+  constexpr TargetRow planar[]{
+      {"2D cast/sphere_sphere", {2049, 0}},  {"2D cast/sphere_aabb", {2027, 0}},
+      {"2D cast/sphere_obb", {1996, 0}},     {"2D cast/sphere_triangle", {2040, 0}},
+      {"2D cast/sphere_capsule", {2026, 0}}, {"2D cast/sphere_hull", {2059, 0}},
+      {"2D cast/sphere_segment", {2003, 0}}, {"2D cast/sphere_plane", {1984, 0}},
+  };
+  visit_targets<MovingSphere, 2>(visit, ask_cast, planar);
+}
+template <class Visit>
+void visit_aabb_casts(const Visit& visit) {
+  constexpr TargetRow solid[]{
+      {"cast/aabb_sphere", {2019, 0}},  {"cast/aabb_aabb", {1985, 0}},
+      {"cast/aabb_obb", {2097, 0}},     {"cast/aabb_triangle", {2057, 0}},
+      {"cast/aabb_capsule", {2066, 0}}, {"cast/aabb_hull", {2099, 0}},
+      {"cast/aabb_segment", {2069, 0}}, {"cast/aabb_plane", {2013, 0}},
+  };
+  visit_targets<MovingAabb, 3>(visit, ask_cast, solid);
+  constexpr TargetRow planar[]{
+      {"2D cast/aabb_sphere", {2017, 0}},  {"2D cast/aabb_aabb", {1995, 0}},
+      {"2D cast/aabb_obb", {2015, 0}},     {"2D cast/aabb_triangle", {2072, 0}},
+      {"2D cast/aabb_capsule", {2039, 0}}, {"2D cast/aabb_hull", {2073, 0}},
+      {"2D cast/aabb_segment", {2008, 0}}, {"2D cast/aabb_plane", {2013, 0}},
+  };
+  visit_targets<MovingAabb, 2>(visit, ask_cast, planar);
+}
+template <class Visit>
+void visit_obb_casts(const Visit& visit) {
+  constexpr TargetRow solid[]{
+      {"cast/obb_sphere", {2035, 2030}},  {"cast/obb_aabb", {2062, 2059}},
+      {"cast/obb_obb", {2044, 2082}},     {"cast/obb_triangle", {2083, 2065}},
+      {"cast/obb_capsule", {2050, 2049}}, {"cast/obb_hull", {2001, 2037}},
+      {"cast/obb_segment", {2123, 2070}}, {"cast/obb_plane", {2070, 2069}},
+  };
+  visit_targets<MovingObb, 3>(visit, ask_cast, solid);
+  constexpr TargetRow planar[]{
+      {"2D cast/obb_sphere", {2031, 2084}},  {"2D cast/obb_aabb", {2077, 2047}},
+      {"2D cast/obb_obb", {2099, 2025}},     {"2D cast/obb_triangle", {2075, 2013}},
+      {"2D cast/obb_capsule", {2097, 2057}}, {"2D cast/obb_hull", {2075, 2042}},
+      {"2D cast/obb_segment", {2026, 2042}}, {"2D cast/obb_plane", {2056, 2072}},
+  };
+  visit_targets<MovingObb, 2>(visit, ask_cast, planar);
+}
+template <class Visit>
+void visit_triangle_casts(const Visit& visit) {
+  constexpr TargetRow solid[]{
+      {"cast/triangle_sphere", {0, 0}},  {"cast/triangle_aabb", {0, 0}},
+      {"cast/triangle_obb", {0, 0}},     {"cast/triangle_triangle", {0, 0}},
+      {"cast/triangle_capsule", {0, 0}}, {"cast/triangle_hull", {0, 0}},
+      {"cast/triangle_segment", {0, 0}}, {"cast/triangle_plane", {0, 0}},
+  };
+  visit_targets<MovingTriangle, 3>(visit, ask_cast, solid);
+  constexpr TargetRow planar[]{
+      {"2D cast/triangle_sphere", {0, 0}},  {"2D cast/triangle_aabb", {0, 0}},
+      {"2D cast/triangle_obb", {0, 0}},     {"2D cast/triangle_triangle", {0, 0}},
+      {"2D cast/triangle_capsule", {0, 0}}, {"2D cast/triangle_hull", {0, 0}},
+      {"2D cast/triangle_segment", {0, 0}}, {"2D cast/triangle_plane", {0, 0}},
+  };
+  visit_targets<MovingTriangle, 2>(visit, ask_cast, planar);
 }
 template <class Visit>
 void visit_capsule_casts(const Visit& visit) {
-  visit(query<MovingCapsule, Triangle>("cast/capsule_triangle", ask_cast, {2028, 2002}));
+  constexpr TargetRow solid[]{
+      {"cast/capsule_sphere", {0, 0}},  {"cast/capsule_aabb", {0, 0}},
+      {"cast/capsule_obb", {0, 0}},     {"cast/capsule_triangle", {0, 0}},
+      {"cast/capsule_capsule", {0, 0}}, {"cast/capsule_hull", {0, 0}},
+      {"cast/capsule_segment", {0, 0}}, {"cast/capsule_plane", {0, 0}},
+  };
+  visit_targets<MovingCapsule, 3>(visit, ask_cast, solid);
+  constexpr TargetRow planar[]{
+      {"2D cast/capsule_sphere", {0, 0}},  {"2D cast/capsule_aabb", {0, 0}},
+      {"2D cast/capsule_obb", {0, 0}},     {"2D cast/capsule_triangle", {0, 0}},
+      {"2D cast/capsule_capsule", {0, 0}}, {"2D cast/capsule_hull", {0, 0}},
+      {"2D cast/capsule_segment", {0, 0}}, {"2D cast/capsule_plane", {0, 0}},
+  };
+  visit_targets<MovingCapsule, 2>(visit, ask_cast, planar);
 }
 template <class Visit>
-void visit_flat_casts(const Visit& visit) {
-  visit(query<MovingObb, Obb>("cast/obb_obb", ask_cast, {2044, 2082}));
-  visit(query<MovingObb, Obb, 2>("2D cast/obb_obb", ask_cast, {2099, 2025}));
-  visit(query<MovingRock, Rock>("cast/hull_hull", ask_cast, {2076, 2025}));
+void visit_hull_casts(const Visit& visit) {
+  constexpr TargetRow solid[]{
+      {"cast/hull_sphere", {0, 0}},   {"cast/hull_aabb", {0, 0}},    {"cast/hull_obb", {0, 0}},
+      {"cast/hull_triangle", {0, 0}}, {"cast/hull_capsule", {0, 0}}, {"cast/hull_hull", {0, 0}},
+      {"cast/hull_segment", {0, 0}},  {"cast/hull_plane", {0, 0}},
+  };
+  visit_targets<MovingRock, 3>(visit, ask_cast, solid);
+  constexpr TargetRow planar[]{
+      {"2D cast/hull_sphere", {0, 0}},  {"2D cast/hull_aabb", {0, 0}},
+      {"2D cast/hull_obb", {0, 0}},     {"2D cast/hull_triangle", {0, 0}},
+      {"2D cast/hull_capsule", {0, 0}}, {"2D cast/hull_hull", {0, 0}},
+      {"2D cast/hull_segment", {0, 0}}, {"2D cast/hull_plane", {0, 0}},
+  };
+  visit_targets<MovingRock, 2>(visit, ask_cast, planar);
+}
+template <class Visit>
+void visit_segment_casts(const Visit& visit) {
+  constexpr TargetRow solid[]{
+      {"cast/segment_sphere", {0, 0}},  {"cast/segment_aabb", {0, 0}},
+      {"cast/segment_obb", {0, 0}},     {"cast/segment_triangle", {0, 0}},
+      {"cast/segment_capsule", {0, 0}}, {"cast/segment_hull", {0, 0}},
+      {"cast/segment_segment", {0, 0}}, {"cast/segment_plane", {0, 0}},
+  };
+  visit_targets<MovingSegment, 3>(visit, ask_cast, solid);
+  constexpr TargetRow planar[]{
+      {"2D cast/segment_sphere", {0, 0}},  {"2D cast/segment_aabb", {0, 0}},
+      {"2D cast/segment_obb", {0, 0}},     {"2D cast/segment_triangle", {0, 0}},
+      {"2D cast/segment_capsule", {0, 0}}, {"2D cast/segment_hull", {0, 0}},
+      {"2D cast/segment_segment", {0, 0}}, {"2D cast/segment_plane", {0, 0}},
+  };
+  visit_targets<MovingSegment, 2>(visit, ask_cast, planar);
 }
 
 }  // namespace detent::bench
