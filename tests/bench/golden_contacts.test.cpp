@@ -9,8 +9,3 @@ TEST_CASE("golden: contacts have their hit counts") {
   visit_flat_contacts(check_golden);
   visit_hull_contacts(check_golden);
 }
-TEST_CASE("golden: casts have their hit counts") {
-  visit_round_casts(check_golden);
-  visit_capsule_casts(check_golden);
-  visit_flat_casts(check_golden);
-}

@@ -147,9 +147,13 @@ int run(int count, char** arguments) {
   add_round_contacts(suite);
   add_flat_contacts(suite);
   add_hull_contacts(suite);
-  add_round_casts(suite);
+  add_sphere_casts(suite);
+  add_aabb_casts(suite);
+  add_obb_casts(suite);
+  add_triangle_casts(suite);
   add_capsule_casts(suite);
-  add_flat_casts(suite);
+  add_hull_casts(suite);
+  add_segment_casts(suite);
   add_batches(suite);
   add_baselines(suite);
   add_engines(suite);

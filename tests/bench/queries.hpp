@@ -184,4 +184,22 @@ void visit_intersects(const Visit& visit) {
   visit(query<Segment, Segment>("intersects/segment", ask_intersects, {0, 0}));
 }
 
+/// The name of a row, and its golden counts.
+struct TargetRow {
+  std::string_view name;
+  Golden golden;
+};
+/// Visits the queries of a shape and of every target of casts.
+template <template <class, int> class Shape, int N, class Visit, class Ask>
+void visit_targets(const Visit& visit, const Ask& ask, const TargetRow (&rows)[8]) {
+  visit(query<Shape, Sphere, N>(rows[0].name, ask, rows[0].golden));
+  visit(query<Shape, Aabb, N>(rows[1].name, ask, rows[1].golden));
+  visit(query<Shape, Obb, N>(rows[2].name, ask, rows[2].golden));
+  visit(query<Shape, Triangle, N>(rows[3].name, ask, rows[3].golden));
+  visit(query<Shape, Capsule, N>(rows[4].name, ask, rows[4].golden));
+  visit(query<Shape, Rock, N>(rows[5].name, ask, rows[5].golden));
+  visit(query<Shape, Segment, N>(rows[6].name, ask, rows[6].golden));
+  visit(query<Shape, Plane, N>(rows[7].name, ask, rows[7].golden));
+}
+
 }  // namespace detent::bench

@@ -68,7 +68,18 @@ template <bool WithNormal, class A, Scalar S, int N>
     const auto decided = decide_time_to_plane(height, S(radius), nn, narrow_negative(speed), limit);
     if (decided.is_sure) {
       if (!decided.value) return std::nullopt;
-      return Touch<S, N>{*decided.value, is_above ? plane.normal : -plane.normal};
+      const S& distance = *decided.value;
+      Touch<S, N> touch{distance, is_above ? plane.normal : -plane.normal};
+      if constexpr (WithNormal) {
+        // A motion changes neither which corner is closest nor the order of corners.
+        const auto rest = height + speed * distance;
+        using Rest = std::remove_cvref_t<decltype(rest)>;
+        const auto foot = decide_foot<S>(
+            least_extreme(body, plane.normal.vec(), !is_above) + direction.vec() * distance,
+            plane.normal, is_above ? rest : Rest(narrow_negative(rest)));
+        if (foot.is_sure) touch.point = foot.value;
+      }
+      return touch;
     }
   }
   const auto beyond = square(height) - square(radius) * nn;

@@ -19,6 +19,7 @@
 #include "detent/query/kernel/rounded_point.hpp"
 #include "detent/query/kernel/stab_witness.hpp"
 #include "detent/query/kernel/swept_body.hpp"
+#include "detent/query/kernel/thin_in_slabs.hpp"
 #include "detent/query/kernel/touch_witness.hpp"
 #include "detent/query/kernel/weights.hpp"
 
@@ -141,23 +142,36 @@ template <Scalar S, Number P, Number Height, int N>
   return foot;
 }
 
+/// The extreme corner of a body along v; ties go to the least one.
+template <class Body, Number V, int N>
+[[nodiscard]] constexpr auto least_extreme(const Body& body, const Vec<V, N>& v,
+                                           bool farthest) noexcept {
+  const auto from = body.some();
+  constexpr int bits = bits_of<std::remove_cvref_t<decltype(from.x)>> + 1;
+  auto least = from;
+  const auto keep = [&](const auto& corner, bool is_better) {
+    if (is_better || is_before(corner, least)) least = corner;
+  };
+  if constexpr (requires { body.template find_extreme<bits>(v, from, farthest, keep); }) {
+    body.template find_extreme<bits>(v, from, farthest, keep);
+  } else {
+    bool is_first = true;
+    body.template for_each_extreme<bits>(v, from, farthest, [&](const auto& corner) {
+      keep(corner, std::exchange(is_first, false));
+    });
+  }
+  return least;
+}
+
 /// The point of a plane closest to the body `a`, which is on one side of it or touches it: the foot
 /// of the closest corner; ties go to the least one.
 template <class A, Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point_of_plane(const A& a,
                                                          const Plane<S, N>& plane) noexcept {
   const auto& n = plane.normal.vec();
-  const auto from = a.some();
-  constexpr int bits = bits_of<std::remove_cvref_t<decltype(from.x)>> + 1;
-  const auto height = [&](const auto& corner) { return height_above(plane, corner); };
-  const auto lowest = a.template extreme<bits>(n, from, false);
-  const auto highest = a.template extreme<bits>(n, from, true);
-  const bool is_above = height(lowest) + height(highest) > 0;
-  auto nearest = is_above ? lowest : highest;
-  a.template for_each_extreme<bits>(n, from, !is_above, [&](const auto& corner) {
-    if (is_before(corner, nearest)) nearest = corner;
-  });
-  const auto above = height(nearest);
+  const auto [lowest, highest] = heights_above(plane, a);
+  const auto nearest = least_extreme(a, n, !(lowest + highest > 0));
+  const auto above = height_above(plane, nearest);
   const auto exact = [&] {
     const auto whole = squared_length(plane.normal);
     return rounded<S>(RationalPoint{nearest * whole - n * above, whole});
@@ -241,11 +255,92 @@ template <Scalar S, int N, Number T>
   return std::nullopt;
 }
 
+/// The point of `target`, grown by `radius`, closest to `shape` moved by `distance`, for a box and a
+/// segment, where words decide it.
+template <class A, class B, Scalar S, int N>
+[[nodiscard]] constexpr Decided<Vec<S, N>> decide_point_in_slabs(const A& shape, const B& target,
+                                                                 const Direction<S, N>& direction,
+                                                                 const S& distance,
+                                                                 const S& radius) noexcept {
+  constexpr bool box_moves = is_kind<B, Segment>;
+  const auto& box = [&]() -> const auto& {
+    if constexpr (box_moves) {
+      return shape;
+    } else {
+      return target;
+    }
+  }
+  ();
+  const auto& segment = [&]() -> const auto& {
+    if constexpr (box_moves) {
+      return target;
+    } else {
+      return shape;
+    }
+  }
+  ();
+  const auto moved = [&] {
+    if constexpr (box_moves) {
+      return -distance;
+    } else {
+      return distance;
+    }
+  }();
+  const auto along = segment.end - segment.start;
+  using Spot = typename ThinInSlabs<S, N>::Place;
+  const auto at_box = [&](const auto& closest, const auto& coordinate) {
+    Decided<Vec<S, N>> result{{}, closest.closest_at() != ClosestAt::unsure};
+    for (int i = 0; i < N; ++i) {
+      Decided<S> nearest{};
+      decide_coordinate(nearest, coordinate(i), Steps<1 << 12>());
+      result.value[i] = nearest.value;
+      result.is_sure = result.is_sure && nearest.is_sure;
+    }
+    return result;
+  };
+  if constexpr (is_kind<A, Obb> || is_kind<B, Obb>) {
+    const auto place = place_in_frame(box, segment, direction, moved);
+    const ThinInSlabs<S, N> closest(-place - box.half_extents, -place + box.half_extents,
+                                    in_frame(box, along), along);
+    if (closest.closest_at() == ClosestAt::unsure) return {{}, false};
+    if constexpr (box_moves) {
+      return decide_on_thin(closest, segment, radius, from_frame(box, closest.excess()));
+    } else {
+      const auto on_box = from_frame(box, make_vec<N>([&](int i) {
+                                       const Spot extent(box.half_extents[i]);
+                                       return closest.side(i) < 0 ? narrow_negative(extent)
+                                              : closest.side(i) > 0
+                                                  ? extent
+                                                  : floor_to<Spot>(place[i] + closest.place()[i]);
+                                     }));
+      return at_box(closest, [&](int i) { return floor_to<Spot>(on_box[i] + box.center[i]); });
+    }
+  } else {
+    const auto start = segment.start + direction.vec() * moved;
+    const ThinInSlabs<S, N> closest(box.min - start, box.max - start, along, along);
+    if (closest.closest_at() == ClosestAt::unsure) return {{}, false};
+    if constexpr (box_moves) {
+      return decide_on_thin(closest, segment, radius, closest.excess());
+    } else {
+      return at_box(closest, [&](int i) {
+        return closest.side(i) < 0   ? Spot(box.min[i])
+               : closest.side(i) > 0 ? Spot(box.max[i])
+                                     : floor_to<Spot>(start[i] + closest.place()[i]);
+      });
+    }
+  }
+}
+
+template <class A, class B>
+inline constexpr bool are_box_and_segment =
+    ((is_kind<A, Aabb> || is_kind<A, Obb>)&&is_kind<B, Segment>) ||
+    (is_kind<A, Segment> && (is_kind<B, Aabb> || is_kind<B, Obb>));
+
 /// The point of `target` closest to `shape` moved by `distance`; both have points.
 template <class A, class B, Scalar S, int N>
-[[nodiscard]] constexpr Vec<S, N> closest_point_of_target(const A& shape, const B& target,
-                                                          const Direction<S, N>& direction,
-                                                          const S& distance) noexcept {
+[[nodiscard]] constexpr Vec<S, N> find_closest_point_of_target(const A& shape, const B& target,
+                                                               const Direction<S, N>& direction,
+                                                               const S& distance) noexcept {
   const auto& a = core_of(shape);
   const auto& b = core_of(target);
   using CoreA = std::remove_cvref_t<decltype(a)>;
@@ -296,6 +391,19 @@ template <class A, class B, Scalar S, int N>
     if constexpr (is_kind<CoreA, Aabb> && is_kind<CoreB, Aabb>) {
       if (const auto point = closest_point_of_boxes(a, b, offset)) return *point;
     }
+    if constexpr (is_kind<CoreA, Aabb> && is_kind<CoreB, Vec> && filter_pays<S> && is_fixed<S>) {
+      const auto low = a.min + offset, high = a.max + offset;
+      const auto v = make_vec<N>([&](int i) {
+        const std::remove_cvref_t<decltype(low.x)> x(b[i]);
+        return (x < low[i] ? low[i] : x > high[i] ? high[i] : x) - x;
+      });
+      if (radius == 0) return b;
+      if (!is_zero(v)) {
+        const auto point =
+            by_width<62>([&](const auto& u) { return decide_beyond(b, radius, u); }, v);
+        if (point.is_sure) return point.value;
+      }
+    }
     const auto moved = moved_body(body, offset);
     if constexpr (is_kind<CoreB, Plane>) {
       return closest_point_of_plane(moved, b);
@@ -303,6 +411,22 @@ template <class A, class B, Scalar S, int N>
       return closest_point_of_body(moved, body_of(b), radius);
     }
   }
+}
+
+/// The same, by a filter where it pays.
+template <class A, class B, Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> closest_point_of_target(const A& shape, const B& target,
+                                                          const Direction<S, N>& direction,
+                                                          const S& distance) noexcept {
+  const auto& a = core_of(shape);
+  const auto& b = core_of(target);
+  if constexpr (are_box_and_segment<std::remove_cvref_t<decltype(a)>,
+                                    std::remove_cvref_t<decltype(b)>> &&
+                is_fixed<S> && filter_pays<S>) {
+    const auto point = decide_point_in_slabs(a, b, direction, distance, S(radius_of(target)));
+    if (point.is_sure) return point.value;
+  }
+  return find_closest_point_of_target(shape, target, direction, distance);
 }
 
 }  // namespace detent::detail

@@ -8,6 +8,7 @@
 #include "detent/query/cast/motion.hpp"
 #include "detent/query/cast/point.hpp"
 #include "detent/query/kernel/approach.hpp"
+#include "detent/query/kernel/box_touch.hpp"
 #include "detent/query/kernel/clip.hpp"
 #include "detent/query/kernel/differences.hpp"
 #include "detent/query/kernel/stab.hpp"
@@ -227,6 +228,25 @@ template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S,
   };
   const auto start = boxes_within(a, b, steps, radius, limit);
   if (!start) return std::nullopt;
+  if constexpr (are_point_and_box<A, B> && is_fixed<S> && filter_pays<S>) {
+    BoxTouch<A, B, Component, S, R> box(a, b, steps, radius);
+    const auto decided = box.first(*start, limit);
+    if (decided.is_sure) {
+      if (!decided.value) return std::nullopt;
+      const S& distance = *decided.value;
+      if constexpr (WithNormal) {
+        if (const int axis = box.only_axis(); axis >= 0) {
+          Vec<Fixed<2, 0>, N> normal{};
+          normal[axis] = Fixed<2, 0>(1);
+          return Touch<S, N>{distance, steps[axis] > 0 ? -outward(normal) : outward(normal)};
+        }
+        if (const auto feature = box.feature()) {
+          return Touch<S, N>{distance, normal_on(*feature, distance)};
+        }
+      }
+      return Touch<S, N>{distance, normal_after(distance)};
+    }
+  }
   if constexpr (is_fixed<S> && has_filters) {
     TouchWitness<A, B, Component, S, R> witness(a, b, steps, radius);
     const auto decided = witness.first(*start, limit);

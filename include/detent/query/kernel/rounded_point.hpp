@@ -188,4 +188,20 @@ template <Scalar S, Number V, int N>
   }
 }
 
+/// The same by any vector in the direction of v; unsure if another one's error might round it
+/// otherwise: both are within 2^18 steps of the exact point.
+template <Scalar S, class Point, Number V, int N>
+[[nodiscard]] constexpr Decided<Vec<S, N>> decide_beyond(const Point& p, const S& radius,
+                                                         const Vec<V, N>& v) noexcept {
+  const auto moves = step_along(radius, to_array(v));
+  Decided<Vec<S, N>> result{{}, true};
+  for (int i = 0; i < N; ++i) {
+    const auto sum = approximate_beyond<S>(p, moves, i).value;
+    const auto nearest = decide_nearest<S>(Approximate{sum, Steps<1 << 19>()});
+    result.is_sure = result.is_sure && nearest.is_sure;
+    result.value[i] = nearest.value;
+  }
+  return result;
+}
+
 }  // namespace detent::detail

@@ -74,16 +74,8 @@ class TouchFeature {
     const auto& from = corner_b(0);
     const auto place = from - corner_a(0) - way_ * time_;
     const auto beyond = [&](const auto& p, const auto& v) {
-      const auto moves = step_along(radius, to_array(narrow_negative(v)));
-      Vec<S, 3> nearest;
-      bool is_sure = true;
-      for (int i = 0; i < 3; ++i) {
-        const auto sum = approximate_beyond<S>(p, moves, i).value;
-        const auto decided = decide_nearest<S>(Approximate{sum, Steps<1 << 19>()});
-        is_sure = is_sure && decided.is_sure;
-        nearest[i] = decided.value;
-      }
-      return is_sure ? std::optional(nearest) : std::nullopt;
+      const auto decided = decide_beyond(p, radius, narrow_negative(v));
+      return decided.is_sure ? std::optional(decided.value) : std::nullopt;
     };
     if (count_b_ == 3) return std::nullopt;
     if (count_b_ == 1 && count_a_ == 1) return beyond(from, place);
