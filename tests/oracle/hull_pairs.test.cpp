@@ -13,7 +13,7 @@ namespace {
 template <Scalar S, int N>
 void examine(std::uint64_t seed, long count) {
   using Hull = ConvexHull<S, N>;
-  examine_pair<Hull, Hull>(seed, count, Aim{N == 2 ? 70 : 50, 30, 70}, [&](auto& exam) {
+  examine_pair<Hull, Hull>(seed, count, Aim{N == 2 ? 70 : 50, 30, 70}, [&](auto& exam, auto&, auto&) {
     exam.family("round", count / 10, 20, 80, [&] {
       const auto radius = std::max<std::int64_t>(exam.draw.scale() / 4, 2);
       const auto center = exam.draw.point(radius);

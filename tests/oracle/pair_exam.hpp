@@ -84,8 +84,8 @@ class Pencil {
   Raw<N> common_;
 };
 
-/// Runs `count` random queries of every kind on pairs of the shapes A and B; `more(exam)` adds
-/// further families.
+/// Runs `count` random queries of every kind on pairs of the shapes A and B; `more(exam, draw,
+/// random)` adds further families.
 template <class A, class B, class More>
 void examine_pair(std::uint64_t seed, long count, Aim aim, const More& more) {
   using S = typename SpaceOf<A>::type::scalar;
@@ -104,12 +104,12 @@ void examine_pair(std::uint64_t seed, long count, Aim aim, const More& more) {
   family("tiny", Kind::tiny, 10, 1, 99);
   family("extreme", Kind::extreme, 15, 0, 99);
   family("degenerate", Kind::degenerate, 10, 1, 99);
-  more(exam);
+  more(exam, exam.draw, exam.draw.random);
   exam.finish(count);
 }
 template <class A, class B>
 void examine_pair(std::uint64_t seed, long count, Aim aim = {}) {
-  examine_pair<A, B>(seed, count, aim, [](auto&) {});
+  examine_pair<A, B>(seed, count, aim, [](auto&...) {});
 }
 
 }  // namespace detent::oracle
