@@ -13,15 +13,17 @@ namespace {
 template <Scalar S, int N>
 void examine(std::uint64_t seed, long count) {
   using Hull = ConvexHull<S, N>;
-  examine_pair<Hull, Hull>(seed, count, Aim{N == 2 ? 70 : 50, 30, 70}, [&](auto& exam, auto&, auto&) {
-    exam.family("round", count / 10, 20, 80, [&] {
-      const auto radius = std::max<std::int64_t>(exam.draw.scale() / 4, 2);
-      const auto center = exam.draw.point(radius);
-      return std::pair{
-          round_hull(exam.draw, center, radius, 24),
-          round_hull(exam.draw, exam.draw.near(center, radius * (N == 2 ? 9 : 7) / 4), radius, 24)};
-    });
-  });
+  examine_pair<Hull, Hull>(
+      seed, count, Aim{N == 2 ? 70 : 50, 30, 70}, [&](auto& exam, auto&, auto&) {
+        exam.family("round", count / 10, 20, 80, [&] {
+          const auto radius = std::max<std::int64_t>(exam.draw.scale() / 4, 2);
+          const auto center = exam.draw.point(radius);
+          return std::pair{
+              round_hull(exam.draw, center, radius, 24),
+              round_hull(exam.draw, exam.draw.near(center, radius * (N == 2 ? 9 : 7) / 4), radius,
+                         24)};
+        });
+      });
   examine_pair<Triangle<S, N>, Hull>(seed + 1, count, Aim{N == 2 ? 55 : 10, 30, 70});
   examine_pair<Segment<S, N>, Hull>(seed + 2, count, Aim{N == 2 ? 35 : 1, N == 2 ? 30 : 15, 70});
 }
