@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+#include "bench/golden_check.hpp"
+#include "bench/pairs.hpp"
+
+using namespace detent::bench;
+
+TEST_CASE("golden: casts of AABBs have their hit counts") { visit_aabb_casts(check_golden); }

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+#include "bench/golden_check.hpp"
+#include "bench/pairs.hpp"
+
+using namespace detent::bench;
+
+TEST_CASE("golden: casts of hulls have their hit counts") { visit_hull_casts(check_golden); }
