@@ -4,4 +4,6 @@
 
 using namespace detent::bench;
 
-TEST_CASE("golden: casts of triangles have their hit counts") { visit_triangle_casts(check_golden); }
+TEST_CASE("golden: casts of triangles have their hit counts") {
+  visit_triangle_casts(check_golden);
+}
