@@ -127,44 +127,37 @@ template <Scalar S, int N>
   return view;
 }
 
-/// The corners of the incident face in the frame of the reference, with the reference's axis first;
+/// Corner `v` of the incident face in the frame of the reference, with the reference's axis first;
 /// each coordinate rounded once. In 3D around the face: (+, +), (-, +), (-, -), (+, -).
-///
-/// Their coordinates are sums and differences of the same N products, and a product with the
-/// translation, in all below 2 sqrt(3) 2^61.
 template <Scalar S, int N>
-[[nodiscard]] constexpr auto incident_corners(const FaceAxes<S, N>& axes,
-                                              const FaceView<S, N>& view) noexcept {
+[[nodiscard]] constexpr Vec<typename ContactFormats<S>::Corner, N> incident_corner(
+    const FaceAxes<S, N>& axes, const FaceView<S, N>& view, int v) noexcept {
   using Corner = typename ContactFormats<S>::Corner;
   using Ratio = typename Formats<S>::Ratio;
-  using Span = typename ContactFormats<S>::Span;
   constexpr int bits = FaceAxes<S, N>::bits;
-  std::array<Vec<Corner, N>, std::size_t{ClippedFace<Corner, N>::corners}> result{};
   const auto& half = view.of_b ? axes.a : axes.b;
+  const int signs = v ^ (v >> 1);
+  Vec<typename Formats<S>::Lever, N> p;
   for (int c = 0; c < N; ++c) {
-    const int k = (view.axis + c) % N;
-    const auto edge = [&](int i) {
-      const int m = (view.other_axis + i) % N;
-      return narrow_product<bits>(view.entry(axes.pose, k, m), half[m]);
-    };
-    const auto step = [](const Span& from, const Span& by, bool negative) {
-      return negative ? narrow_difference<bits>(from, by) : narrow_sum<bits>(from, by);
-    };
-    const Span center = view.of_b ? narrow_negative(axes.along_b(k))
-                                  : narrow_product<bits>(axes.pose.translation[k], Ratio(1));
-    const Span middle = step(center, edge(0), view.other_negative);
-    std::array<Span, std::size_t{N}> edges{};
-    for (int i = 1; i < N; ++i) edges[static_cast<std::size_t>(i)] = edge(i);
-    for (std::size_t v = 0; v < result.size(); ++v) {
-      const auto signs = v ^ (v >> 1);
-      auto at = middle;
-      for (std::size_t i = 1; i < std::size_t{N}; ++i) {
-        at = step(at, edges[i], (signs >> (i - 1)) % 2 != 0);
-      }
-      result[v][c] = nearest_to<Corner>(at);
-    }
+    const int m = (view.other_axis + c) % N;
+    const bool negative = c == 0 ? view.other_negative : (signs >> (c - 1)) % 2 != 0;
+    p[m] = negative ? narrow_negative(half[m]) : half[m];
   }
-  return result;
+  const auto& pose = axes.pose;
+  if (view.of_b) {  // a's corner from b's center, along b's axes: below 2 sqrt(3) 2^61
+    const auto offset = p - pose.translation;
+    return axis_first(make_vec<N>([&](int j) {
+                        return nearest_to<Corner>(
+                            narrow_dot<bits>(offset, pose.axes[static_cast<std::size_t>(j)]));
+                      }),
+                      view.axis);
+  }
+  return axis_first(
+      make_vec<N>([&](int i) {
+        return nearest_to<Corner>(narrow_sum<bits>(
+            narrow_product<bits>(pose.translation[i], Ratio(1)), narrow_dot<bits>(axes.row(i), p)));
+      }),
+      view.axis);
 }
 
 /// The point midway between the surfaces, in the frame of a. `p` is on the incident face, in the
@@ -211,8 +204,7 @@ template <Scalar S, int N>
   const auto view = face_view(axes, index);
   const auto& half = view.of_b ? axes.b : axes.a;
   ClippedFace<Corner, N> face;
-  const auto corners = incident_corners(axes, view);
-  for (int v = 0; v < face.corners; ++v) face.add(corners[static_cast<std::size_t>(v)], v);
+  for (int v = 0; v < face.corners; ++v) face.add(incident_corner(axes, view, v), v);
   const auto ends = axis_first(half, view.axis);
   const auto end = [&](int c) { return ends[c] + ContactFormats<S>::tolerance; };
   face.template clip<1>(end(1), false, face.corners);
