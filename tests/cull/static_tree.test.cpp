@@ -158,9 +158,9 @@ TEST_CASE("static tree: with too little room for nodes it builds nothing and cha
 template <Scalar S>
 inline constexpr std::uint64_t golden_nodes = 0x3e46b231b5e20489;  // q16_16 and q24_8: same bits
 template <>
-inline constexpr std::uint64_t golden_nodes<q14_16> = 0x248b652e01ee335c;
+[[maybe_unused]] inline constexpr std::uint64_t golden_nodes<q14_16> = 0x248b652e01ee335c;
 template <>
-inline constexpr std::uint64_t golden_nodes<q8_8> = 0x06826d792ebcd1c3;
+[[maybe_unused]] inline constexpr std::uint64_t golden_nodes<q8_8> = 0x06826d792ebcd1c3;
 
 TEMPLATE_TEST_CASE("static tree: the same triangles give the same nodes on every machine", "[mesh]",
                    DETENT_FIXED_SCALARS) {
