@@ -50,7 +50,9 @@ void compare(const Obb<S, 3>& box, const Shape& shape, Rates& rates) {
   REQUIRE(closest_points(shape, box) == swapped.find_exactly());
   if constexpr (std::is_same_v<Shape, Triangle<S, 3>>) {
     if (found != Filtered::yes) return;
-    const auto enter_box = [&] { return detail::first_entry<S>(body_b, body_a); };
+    const auto enter_box = [&] {
+      return detail::first_entry<S>(body_b, body_a, detail::Sides(body_a));
+    };
     for (const bool is_box_first : {true, false}) {
       const auto common = witness.common_point_of_triangle(is_box_first, enter_box);
       rates.sure_common.count(common.is_sure);

@@ -12,9 +12,7 @@ namespace {
 template <class A, class B, Scalar S, int N>
 void compare(const A& shape, const B& target, const Direction<S, N>& direction, const S& distance,
              HitRate& sure) {
-  const auto found =
-      detail::decide_point_in_slabs(detail::core_of(shape), detail::core_of(target), direction,
-                                    distance, S(detail::radius_of(target)));
+  const auto found = detail::decide_closest_point(shape, target, direction, distance);
   sure.count(found.is_sure);
   if (!found.is_sure) return;
   REQUIRE(found.value == detail::find_closest_point_of_target(shape, target, direction, distance));

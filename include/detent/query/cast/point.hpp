@@ -255,55 +255,24 @@ template <Scalar S, int N, Number T>
   return std::nullopt;
 }
 
-/// The point of `target`, grown by `radius`, closest to `shape` moved by `distance`, for a box and a
-/// segment, where words decide it.
-template <class A, class B, Scalar S, int N>
-[[nodiscard]] constexpr Decided<Vec<S, N>> decide_point_in_slabs(const A& shape, const B& target,
+/// Filter: the point of a segment, grown by `radius`, closest to a box if the box moves, else the
+/// point of the box closest to the segment. `moved` is how far the segment moves along `direction`
+/// relative to the box.
+template <bool BoxMoves, class Box, Scalar S, int N, Number M>
+[[nodiscard]] constexpr Decided<Vec<S, N>> decide_point_in_slabs(const Box& box,
+                                                                 const Segment<S, N>& segment,
                                                                  const Direction<S, N>& direction,
-                                                                 const S& distance,
+                                                                 const M& moved,
                                                                  const S& radius) noexcept {
-  constexpr bool box_moves = is_kind<B, Segment>;
-  const auto& box = [&]() -> const auto& {
-    if constexpr (box_moves) {
-      return shape;
-    } else {
-      return target;
-    }
-  }
-  ();
-  const auto& segment = [&]() -> const auto& {
-    if constexpr (box_moves) {
-      return target;
-    } else {
-      return shape;
-    }
-  }
-  ();
-  const auto moved = [&] {
-    if constexpr (box_moves) {
-      return -distance;
-    } else {
-      return distance;
-    }
-  }();
   const auto along = segment.end - segment.start;
-  using Spot = typename ThinInSlabs<S, N>::Place;
-  const auto at_box = [&](const auto& closest, const auto& coordinate) {
-    Decided<Vec<S, N>> result{{}, closest.closest_at() != ClosestAt::unsure};
-    for (int i = 0; i < N; ++i) {
-      Decided<S> nearest{};
-      decide_coordinate(nearest, coordinate(i), Steps<1 << 12>());
-      result.value[i] = nearest.value;
-      result.is_sure = result.is_sure && nearest.is_sure;
-    }
-    return result;
-  };
-  if constexpr (is_kind<A, Obb> || is_kind<B, Obb>) {
+  using Slabs = ThinInSlabs<S, N>;
+  using Spot = typename Slabs::Place;
+  if constexpr (is_kind<Box, Obb>) {
     const auto place = place_in_frame(box, segment, direction, moved);
-    const ThinInSlabs<S, N> closest(-place - box.half_extents, -place + box.half_extents,
-                                    in_frame(box, along), along);
+    const Slabs closest(-place - box.half_extents, -place + box.half_extents, in_frame(box, along),
+                        along);
     if (closest.closest_at() == ClosestAt::unsure) return {{}, false};
-    if constexpr (box_moves) {
+    if constexpr (BoxMoves) {
       return decide_on_thin(closest, segment, radius, from_frame(box, closest.excess()));
     } else {
       const auto on_box = from_frame(box, make_vec<N>([&](int i) {
@@ -313,28 +282,48 @@ template <class A, class B, Scalar S, int N>
                                                   ? extent
                                                   : floor_to<Spot>(place[i] + closest.place()[i]);
                                      }));
-      return at_box(closest, [&](int i) { return floor_to<Spot>(on_box[i] + box.center[i]); });
+      return decide_point<S, N>([&](int i) { return floor_to<Spot>(on_box[i] + box.center[i]); },
+                                Steps<1 << 12>());
     }
   } else {
     const auto start = segment.start + direction.vec() * moved;
-    const ThinInSlabs<S, N> closest(box.min - start, box.max - start, along, along);
+    const Slabs closest(box.min - start, box.max - start, along, along);
     if (closest.closest_at() == ClosestAt::unsure) return {{}, false};
-    if constexpr (box_moves) {
+    if constexpr (BoxMoves) {
       return decide_on_thin(closest, segment, radius, closest.excess());
     } else {
-      return at_box(closest, [&](int i) {
-        return closest.side(i) < 0   ? Spot(box.min[i])
-               : closest.side(i) > 0 ? Spot(box.max[i])
-                                     : floor_to<Spot>(start[i] + closest.place()[i]);
-      });
+      return decide_point<S, N>(
+          [&](int i) {
+            return closest.side(i) < 0   ? Spot(box.min[i])
+                   : closest.side(i) > 0 ? Spot(box.max[i])
+                                         : floor_to<Spot>(start[i] + closest.place()[i]);
+          },
+          Steps<1 << 12>());
     }
   }
 }
 
-template <class A, class B>
-inline constexpr bool are_box_and_segment =
-    ((is_kind<A, Aabb> || is_kind<A, Obb>)&&is_kind<B, Segment>) ||
-    (is_kind<A, Segment> && (is_kind<B, Aabb> || is_kind<B, Obb>));
+/// The same for shapes that are a box and a segment or capsule, in either order; unsure for others.
+template <class A, class B, Scalar S, int N>
+[[nodiscard]] constexpr Decided<Vec<S, N>> decide_closest_point(
+    const A& shape, const B& target, [[maybe_unused]] const Direction<S, N>& direction,
+    [[maybe_unused]] const S& distance) noexcept {
+  const auto& a = core_of(shape);
+  const auto& b = core_of(target);
+  using CoreA = std::remove_cvref_t<decltype(a)>;
+  using CoreB = std::remove_cvref_t<decltype(b)>;
+  constexpr bool is_box_a = is_kind<CoreA, Aabb> || is_kind<CoreA, Obb>;
+  constexpr bool is_box_b = is_kind<CoreB, Aabb> || is_kind<CoreB, Obb>;
+  if constexpr (!is_fixed<S> || !filter_pays<S>) {
+    return {{}, false};
+  } else if constexpr (is_box_a && is_kind<CoreB, Segment>) {
+    return decide_point_in_slabs<true>(a, b, direction, -distance, S(radius_of(target)));
+  } else if constexpr (is_kind<CoreA, Segment> && is_box_b) {
+    return decide_point_in_slabs<false>(b, a, direction, distance, S(radius_of(target)));
+  } else {
+    return {{}, false};
+  }
+}
 
 /// The point of `target` closest to `shape` moved by `distance`; both have points.
 template <class A, class B, Scalar S, int N>
@@ -418,14 +407,8 @@ template <class A, class B, Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point_of_target(const A& shape, const B& target,
                                                           const Direction<S, N>& direction,
                                                           const S& distance) noexcept {
-  const auto& a = core_of(shape);
-  const auto& b = core_of(target);
-  if constexpr (are_box_and_segment<std::remove_cvref_t<decltype(a)>,
-                                    std::remove_cvref_t<decltype(b)>> &&
-                is_fixed<S> && filter_pays<S>) {
-    const auto point = decide_point_in_slabs(a, b, direction, distance, S(radius_of(target)));
-    if (point.is_sure) return point.value;
-  }
+  const auto point = decide_closest_point(shape, target, direction, distance);
+  if (point.is_sure) return point.value;
   return find_closest_point_of_target(shape, target, direction, distance);
 }
 

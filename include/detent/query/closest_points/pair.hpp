@@ -63,39 +63,32 @@ template <Scalar S, int N>
   }
 }
 
-/// Filter: the closest points of an oriented box and a hull, in either order.
-template <class A, class B>
-[[nodiscard]] constexpr auto closest_points_of_box_and_hull(const A& a, const B& b) noexcept {
-  using Point = typename PointOf<A>::type;
-  using S = std::remove_cvref_t<decltype(Point().x)>;
-  constexpr bool is_box_first = is_kind<A, Obb>;
-  auto witness = [&] {
-    if constexpr (is_box_first) {
-      return BoxHullWitness<S>(a, hull_corners(b));
-    } else {
-      return BoxHullWitness<S>(b, hull_corners(a));
-    }
-  }();
-  using Result = Decided<std::pair<Point, Point>>;
+/// Filter: the closest points of an oriented box and a hull, those of the first shape first.
+template <bool IsBoxFirst, Scalar S, class Hull>
+[[nodiscard]] constexpr Decided<std::pair<Vec<S, 3>, Vec<S, 3>>> closest_points_of_box_and_hull(
+    const Obb<S, 3>& box, const Hull& hull) noexcept {
+  BoxHullWitness<S> witness(box, hull_corners(hull));
   const auto overlap = witness.find();
-  if (overlap == Filtered::unsure) return Result{{}, false};
+  if (overlap == Filtered::unsure) return {{}, false};
   if (overlap == Filtered::yes) {
-    if constexpr (is_kind<A, Triangle> || is_kind<B, Triangle>) {
-      const auto enter_box = [&] {
-        if constexpr (is_box_first) {
-          return first_entry<S>(body_of(b), body_of(a));
-        } else {
-          return first_entry<S>(body_of(a), body_of(b));
-        }
-      };
-      const auto point = witness.common_point_of_triangle(is_box_first, enter_box);
-      if (point.is_sure) return Result{{point.value, point.value}, true};
+    const auto box_body = body_of(box);
+    const auto hull_body = body_of(hull);
+    if constexpr (is_kind<Hull, Triangle>) {
+      const auto enter_box = [&] { return first_entry<S>(hull_body, box_body, Sides(box_body)); };
+      const auto point = witness.common_point_of_triangle(IsBoxFirst, enter_box);
+      if (point.is_sure) return {{point.value, point.value}, true};
     }
-    const auto point = common_point<S>(body_of(a), body_of(b));
-    return Result{{point, point}, true};
+    const auto point = [&] {
+      if constexpr (IsBoxFirst) {
+        return common_point<S>(box_body, hull_body);
+      } else {
+        return common_point<S>(hull_body, box_body);
+      }
+    }();
+    return {{point, point}, true};
   }
   auto result = witness.closest_points();
-  if (!is_box_first) std::swap(result.value.first, result.value.second);
+  if (!IsBoxFirst) std::swap(result.value.first, result.value.second);
   return result;
 }
 
@@ -131,8 +124,11 @@ template <bool AreRound, Scalar S, class A, class B>
         if (points.is_sure) return points.value;
       }
     }
-    if constexpr (has_box_hull_witness<A, B> || has_box_hull_witness<B, A>) {
-      const auto found = closest_points_of_box_and_hull(a, b);
+    if constexpr (has_box_hull_witness<A, B>) {
+      const auto found = closest_points_of_box_and_hull<true>(a, b);
+      if (found.is_sure) return found.value;
+    } else if constexpr (has_box_hull_witness<B, A>) {
+      const auto found = closest_points_of_box_and_hull<false>(b, a);
       if (found.is_sure) return found.value;
     }
     const auto body_a = body_of(a);

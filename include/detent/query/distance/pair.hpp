@@ -134,8 +134,7 @@ template <Scalar S, class A, class B>
 [[nodiscard]] constexpr Length<S> gap_floor(const A& a, const B& b) noexcept {
   constexpr bool is_plane = is_kind<A, Plane>;
   if constexpr (has_segment_in_frame<A> && is_kind<B, Segment>) {
-    constexpr int N = static_cast<int>(sizeof(b.start) / sizeof(S));
-    const auto distance = SegmentInFrame<S, N>(a, b).distance_floor();
+    const auto distance = SegmentInFrame(a, b).distance_floor();
     if (distance.is_sure) return distance.value;
   }
   if constexpr (is_b_first<A, B>) {

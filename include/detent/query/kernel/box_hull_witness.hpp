@@ -293,15 +293,15 @@ class BoxHullWitness {
                                      bool& is_sure) noexcept {
     return make_vec<3>([&](int i) {
       const auto x = narrow_sum<Spot::bits>(from[i], step(i));
-      const auto nearest = decide_nearest<S>(Approximate{x, Steps<Error>()});
-      is_sure = is_sure && nearest.is_sure && lowest<S> <= x && x <= largest<S>;
+      const auto nearest = decide_coordinate<S>(Approximate{x, Steps<Error>()});
+      is_sure = is_sure && nearest.is_sure;
       return nearest.value;
     });
   }
   [[nodiscard]] constexpr Vec<S, 3> on_box() const noexcept {
     return nearest_to<S>(corner_of_box());
   }
-  [[nodiscard]] constexpr const Vec<S, 3> on_hull() const noexcept { return hull_[hull_names_[0]]; }
+  [[nodiscard]] constexpr Vec<S, 3> on_hull() const noexcept { return hull_[hull_names_[0]]; }
 
   [[nodiscard]] constexpr Decided<Points> points_of_corner() const noexcept {
     return {{on_box(), on_hull()}, is_least_along(corner(names_[0]), Place(0))};

@@ -10,6 +10,7 @@
 #include "detent/math/width.hpp"
 #include "detent/number/filter/leading.hpp"
 #include "detent/query/kernel/length.hpp"
+#include "detent/query/kernel/rounded_point.hpp"
 #include "detent/query/kernel/simplex.hpp"
 #include "detent/query/kernel/spanned_box.hpp"
 #include "detent/query/kernel/touch_witness.hpp"
@@ -229,8 +230,8 @@ class BoxWitness {
     return make_vec<3>([&](int i) {
       const auto x = is_added ? narrow_sum<Spot::bits>(from[i], step(i))
                               : narrow_difference<Spot::bits>(from[i], step(i));
-      const auto nearest = decide_nearest<S>(Approximate{x, Steps<Error>()});
-      is_sure = is_sure && nearest.is_sure && lowest<S> <= x && x <= largest<S>;
+      const auto nearest = decide_coordinate<S>(Approximate{x, Steps<Error>()});
+      is_sure = is_sure && nearest.is_sure;
       return nearest.value;
     });
   }

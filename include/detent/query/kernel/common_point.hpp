@@ -244,14 +244,14 @@ class Entry {
 };
 
 /// Where the first segment between two corners of `from` that meets `other`, in the order of first
-/// and then second corner, enters it, rounded to nearest. No corner is in the other body.
+/// and then second corner, enters it, rounded to nearest. No corner is in the other body, whose
+/// sides are `sides`.
 template <Scalar S, class From, class Other, int N = From::dimension>
-[[nodiscard]] constexpr std::optional<Vec<S, N>> first_entry(const From& from,
-                                                             const Other& other) noexcept {
+[[nodiscard]] constexpr std::optional<Vec<S, N>> first_entry(const From& from, const Other& other,
+                                                             const Sides<Other>& sides) noexcept {
   using P = typename CommonCorner<std::remove_cvref_t<decltype(from.some().x)>,
                                   std::remove_cvref_t<decltype(other.some().x)>>::type;
   std::optional<Vec<S, N>> result;
-  const Sides sides(other);
   const auto on_grid = [](const auto& corner) {
     return make_vec<N>([&](int i) { return P(corner[i]); });
   };
@@ -274,8 +274,6 @@ template <Scalar S, class From, class Other, int N = From::dimension>
 /// corner or an edge.
 template <Scalar S, class A, class B, int N = A::dimension>
 [[nodiscard]] constexpr Vec<S, N> common_point(const A& a, const B& b) noexcept {
-  using P = typename CommonCorner<std::remove_cvref_t<decltype(a.some().x)>,
-                                  std::remove_cvref_t<decltype(b.some().x)>>::type;
   auto result = nearest_to<S>(a.some());
   const Sides sides_of_a(a);
   const Sides sides_of_b(b);
@@ -287,17 +285,10 @@ template <Scalar S, class A, class B, int N = A::dimension>
       return true;
     });
   };
-  const auto on_grid = [](const auto& corner) {
-    return make_vec<N>([&](int i) { return P(corner[i]); });
-  };
   const auto take_edge = [&](const auto& from, const auto& other, const auto& sides) {
-    return any_two_corners(from, [&](const auto& p, const auto& q) {
-      if (sides.are_outside(p, q)) return false;
-      if (!share_point(HullBody(std::array{p, q}), other)) return false;
-      result =
-          Entry<S, P, std::remove_cvref_t<decltype(other)>>(on_grid(p), on_grid(q), other).find();
-      return true;
-    });
+    const auto entry = first_entry<S>(from, other, sides);
+    if (entry) result = *entry;
+    return entry.has_value();
   };
   // All fail only with scalars that round.
   static_cast<void>(take_corner(a, b, sides_of_b) || take_corner(b, a, sides_of_a) ||

@@ -204,4 +204,23 @@ template <Scalar S, class Point, Number V, int N>
   return result;
 }
 
+/// A coordinate rounded to nearest; unsure, too, if it is out of range.
+template <Scalar S, Number X, class Error>
+[[nodiscard]] constexpr Decided<S> decide_coordinate(const Approximate<X, Error>& x) noexcept {
+  auto result = decide_nearest<S>(x);
+  result.is_sure = result.is_sure && lowest<S> <= x.value && x.value <= largest<S>;
+  return result;
+}
+/// The same for a point with the coordinates at(i), off by less than `error`.
+template <Scalar S, int N, class At, class Error>
+[[nodiscard]] constexpr Decided<Vec<S, N>> decide_point(const At& at, const Error& error) noexcept {
+  Decided<Vec<S, N>> result{{}, true};
+  for (int i = 0; i < N; ++i) {
+    const auto nearest = decide_coordinate<S>(Approximate{at(i), error});
+    result.value[i] = nearest.value;
+    result.is_sure = result.is_sure && nearest.is_sure;
+  }
+  return result;
+}
+
 }  // namespace detent::detail

@@ -289,10 +289,9 @@ class SegmentInFrame {
     Decided<Points> result{Points(), true};
     auto& [in_world, outward] = result.value;
     const auto decide_at = [&](auto& point, int i, const auto& x) {
-      const auto nearest = decide_nearest<S>(x);
+      const auto nearest = decide_coordinate<S>(x);
       point[i] = nearest.value;
-      result.is_sure =
-          result.is_sure && nearest.is_sure && lowest<S> <= x.value && x.value <= largest<S>;
+      result.is_sure = result.is_sure && nearest.is_sure;
     };
     // No axis exceeds 1 by a step, so the errors of three places add up, and one for the floor.
     const auto world_error = error_ + error_ + error_ + Error::from_raw(1);

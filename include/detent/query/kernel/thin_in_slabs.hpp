@@ -43,9 +43,7 @@ class ThinInSlabs {
   /// The closest point of the segment, within `error`; exact at the ends.
   [[nodiscard]] constexpr const Places& place() const noexcept { return x_; }
   /// On which side of the box it is: -1, 0 or 1.
-  [[nodiscard]] constexpr int side(int i) const noexcept {
-    return x_[i] < low_[i] ? -1 : x_[i] > high_[i] ? 1 : 0;
-  }
+  [[nodiscard]] constexpr int side(int i) const noexcept { return side_of(x_, i); }
   /// Its excess over the box, within `error`.
   [[nodiscard]] constexpr Places excess() const noexcept { return excess_of(x_); }
 
@@ -136,14 +134,6 @@ class ThinInSlabs {
   BoundedRatio<Dot, Dot, 63, Steps<128>> ratio_{};
 };
 
-/// A coordinate within `error` of an exact one, rounded to nearest; unsure, too, if it is out of
-/// range.
-template <Scalar S, Number X, class Error>
-constexpr void decide_coordinate(Decided<S>& result, const X& x, const Error& error) noexcept {
-  result = decide_nearest<S>(Approximate{x, error});
-  result.is_sure = result.is_sure && lowest<S> <= x && x <= largest<S>;
-}
-
 /// The point of a segment closest to a box, or beyond it by `radius` toward the box, as
 /// `nearly_rounded_beyond` rounds it; `outward` is the excess in the world, within 2^11 steps.
 template <Scalar S, int N, Number V>
@@ -155,31 +145,20 @@ template <Scalar S, int N, Number V>
   const auto& end = closest.closest_at() == ClosestAt::start ? segment.start : segment.end;
   if (radius == 0 && !is_between) return {end, true};
   using Spot = Fixed<63, S::frac + 30>;
-  Decided<Vec<S, N>> result{{}, true};
   auto spot = is_between ? closest.on_segment(segment)
                          : make_vec<N>([&](int i) { return Fixed<62, S::frac + 30>(end[i]); });
-  if (radius > 0) {
-    // The direction is off by less than sqrt(3) 2^11 / |v|: with |v| > radius / 8, the step by 2^15.
-    const auto v = make_vec<N>([&](int i) { return floor_to<Spot>(outward[i]); });
-    bool is_long = false;
-    for (int i = 0; i < N; ++i) is_long = is_long || abs(v[i]) * Fixed<4, 0>(8) > radius;
-    if (!is_long) return {{}, false};
-    const auto moves = step_along(radius, to_array(narrow_negative(v)));
-    for (int i = 0; i < N; ++i) {
-      spot[i] = narrow_sum<62>(spot[i], moves.value[static_cast<std::size_t>(i)]);
-    }
-  }
+  const auto at = [&](int i) { return spot[i]; };
+  if (!(radius > 0)) return decide_point<S, N>(at, Steps<1 << 12>());
+  // The direction is off by less than sqrt(3) 2^11 / |v|: with |v| > radius / 8, the step by 2^15.
+  const auto v = make_vec<N>([&](int i) { return floor_to<Spot>(outward[i]); });
+  bool is_long = false;
+  for (int i = 0; i < N; ++i) is_long = is_long || abs(v[i]) * Fixed<4, 0>(8) > radius;
+  if (!is_long) return {{}, false};
+  const auto moves = step_along(radius, to_array(narrow_negative(v)));
   for (int i = 0; i < N; ++i) {
-    Decided<S> nearest{};
-    if (radius > 0) {
-      decide_coordinate(nearest, spot[i], Steps<1 << 19>());
-    } else {
-      decide_coordinate(nearest, spot[i], Steps<1 << 12>());
-    }
-    result.value[i] = nearest.value;
-    result.is_sure = result.is_sure && nearest.is_sure;
+    spot[i] = narrow_sum<62>(spot[i], moves.value[static_cast<std::size_t>(i)]);
   }
-  return result;
+  return decide_point<S, N>(at, Steps<1 << 19>());
 }
 
 }  // namespace detent::detail
