@@ -190,6 +190,18 @@ class GroupSolver : FourPairs<L, S> {
     return store();
   }
 
+  [[nodiscard]] bool measure_gaps() noexcept {
+    const Motions path_a = bodies_a_.paths(), path_b = bodies_b_.paths();
+    std::array<Side<Speed>, Group::capacity> gap;
+    for (std::size_t i = 0; i < group_.count; ++i) {
+      gap[i] = round_.template checked<Speed>(
+          Side<Speed>(group_.gap[i]) + rate(group_.normal, group_.pressure[i], path_a, path_b));
+    }
+    if (round_.is_beyond()) return false;
+    for (std::size_t i = 0; i < group_.count; ++i) gap[i].store(group_.gap_now[i]);
+    return true;
+  }
+
   template <Pass pass>
   [[nodiscard]] bool solve(const Speed& fastest) noexcept {
     std::array<Side<Impulse>, Group::capacity> pressures;

@@ -57,6 +57,8 @@ constexpr void for_each_field(const BodyField<Body>& field, const F& f) {
     with_type("spin", body.state.spin);
     with_type("push", body.push);
     with_type("twist", body.twist);
+    with_type("drift", body.drift);
+    with_type("lean", body.lean);
     with_type("sleeps", body.sleeps);
     with_type("quiet", body.quiet);
     with_type("motion", body.motion);

@@ -22,6 +22,8 @@ struct Pace {
   typename F::Speed push{}, bounce{}, sleep{};
   typename F::Spin sleep_spin{};
   typename F::Lever margin{};
+  typename F::Speed hold{};
+  typename F::Spin hold_turn{};
 };
 
 template <Scalar S, int N>
@@ -41,7 +43,9 @@ template <Scalar S, int N>
           per_substep(settings.bounce_threshold),
           per_substep(settings.sleep_speed),
           quotient_nearest<typename F::Spin>(settings.sleep_speed, as_operand<S>(rate)),
-          nearest_to<typename F::Lever>(settings.margin)};
+          nearest_to<typename F::Lever>(settings.margin),
+          saturate_to<Speed>(settings.hold_distance),
+          quotient_nearest<typename F::Spin>(as_operand<S>(1), as_operand<S>(32))};
 }
 
 /// Whether a body is locked along an axis, by the bits of `AxisLock`.
@@ -98,6 +102,8 @@ struct BodyRecord {
   BodyState<S, N> state{};
   Vec<typename F::Speed, N> push{};  // gained from forces in each substep of the next tick
   Axial<typename F::Spin, N> twist{};
+  Vec<typename F::Speed, N> drift{};  // from where it is held
+  Axial<typename F::Spin, N> lean{};
 
   // Derived from the others.
   typename MassProperties<S, N>::Formats::Mass mass{};
@@ -110,6 +116,10 @@ struct BodyRecord {
   }
   [[nodiscard]] constexpr bool is_pushed() const noexcept {
     return !(push == Vec<typename F::Speed, N>() && twist == Axial<typename F::Spin, N>());
+  }
+  /// Whether its contacts have the geometry of an earlier pose.
+  [[nodiscard]] constexpr bool is_held() const noexcept {
+    return !(drift == Vec<typename F::Speed, N>() && lean == Axial<typename F::Spin, N>());
   }
 };
 

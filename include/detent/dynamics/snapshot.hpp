@@ -9,6 +9,7 @@
 
 #include "detent/dynamics/asset_body.hpp"
 #include "detent/dynamics/fields.hpp"
+#include "detent/dynamics/hold.hpp"
 #include "detent/dynamics/joint/bytes.hpp"
 #include "detent/dynamics/rolling.hpp"
 #include "detent/dynamics/world.hpp"
@@ -29,9 +30,10 @@
 // * a header of 64 bytes;
 // * each body that is not fixed, in order of index: a word of its index (bits 0 to 19), its quiet
 //   ticks (20 to 27), whether it sleeps (28), whether its properties are those of the body before it
-//   (29) and whether forces or torques act on it (30); generation (4 bytes); place, orientation,
-//   velocity, spin: 72 bytes in 3D with Q16.16; if forces or torques act, their change of velocity
-//   and spin in each substep of the next tick. Unless bit 29 is set, its properties follow: motion
+//   (29), whether forces or torques act on it (30) and whether it has moved from where it is held
+//   (31); generation (4 bytes); place, orientation, velocity, spin: 72 bytes in 3D with Q16.16; if
+//   forces or torques act, their change of velocity and spin in each substep of the next tick; if it
+//   is held, how far it has moved and turned. Unless bit 29 is set, its properties follow: motion
 //   (1, plus 4 if the last item but one follows, plus 8 if the last does), layers, layers that it
 //   meets (4 each), user word (8), density, friction, restitution, damping of velocity and spin,
 //   shape type (1), the numbers of the shape (of a hull or a surface its id (4), its digest (8), and
@@ -104,9 +106,14 @@ template <class D, class Body>
 constexpr void describe_state(D& out, const Body& body) noexcept {
   out.add(body.state.place, body.state.orientation, body.state.velocity);
   for (const auto& w : body.state.spin) out.add(w);
-  if (!body.is_pushed()) return;
-  out.add(body.push);
-  for (const auto& w : body.twist) out.add(w);
+  if (body.is_pushed()) {
+    out.add(body.push);
+    for (const auto& w : body.twist) out.add(w);
+  }
+  if (body.is_held()) {
+    out.add(body.drift);
+    for (const auto& w : body.lean) out.add(w);
+  }
 }
 
 template <class Body>
@@ -160,7 +167,8 @@ constexpr void describe_world(D& out, const World& world) noexcept {
         const bool alike = before != nullptr && is_made_like(body, *before);
         out.add(i | std::uint32_t{body.quiet} << 20 | (body.sleeps ? std::uint32_t{1} << 28 : 0u) |
                     (alike ? std::uint32_t{1} << 29 : 0u) |
-                    (body.is_pushed() ? std::uint32_t{1} << 30 : 0u),
+                    (body.is_pushed() ? std::uint32_t{1} << 30 : 0u) |
+                    (body.is_held() ? std::uint32_t{1} << 31 : 0u),
                 body.generation);
         describe_state(out, body);
         if (!alike) describe_make(out, body);
@@ -219,6 +227,7 @@ template <class Storage, Scalar S, int N, class... Parts>
   own.add(static_cast<std::int32_t>(settings.ticks_per_second),
           static_cast<std::int32_t>(settings.substeps), settings.gravity, settings.margin,
           settings.push_speed, settings.bounce_threshold, settings.sleep_speed);
+  if (settings.hold_distance != S(0)) own.add(settings.hold_distance);
   header.settings_digest = own.value();
   return header;
 }
@@ -307,7 +316,7 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
 [[nodiscard]] constexpr Restored read_world(Reader& in, const WorldHeader& header, Bodies& bodies,
                                             Contacts& contacts, Joints& joints,
                                             std::size_t bodies_room, std::size_t contacts_room,
-                                            int rate, const Assets& assets) {
+                                            const Pace<S, N>& pace, const Assets& assets) {
   using F = Formats<S>;
   std::size_t lowest = 0, before = 0;
   bool has_before = false;
@@ -316,7 +325,7 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
     const auto generation = in.number<std::uint32_t>();
     const std::size_t i = word & 0xfffffu;
     const bool alike = (word >> 29 & 1) != 0;
-    if (in.has_failed() || i < lowest || word >> 31 != 0 || generation == 0 ||
+    if (in.has_failed() || i < lowest || generation == 0 ||
         generation >= header.next_generation || (alike && !has_before)) {
       return Restored::corrupted;
     }
@@ -337,14 +346,22 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
       in.get(body.push);
       for (auto& w : body.twist) in.get(w);
     }
+    body.drift = {};
+    body.lean = {};
+    const bool is_held = word >> 31 != 0;
+    if (is_held) {
+      in.get(body.drift);
+      for (auto& w : body.lean) in.get(w);
+    }
     if (in.has_failed() || !is_unit(to_array(body.state.orientation))) return Restored::corrupted;
     if (!alike) {
       const auto said = read_make(in, body, assets);
       if (said != Restored::yes) return said;
       if (has_before && is_made_like(body, bodies[before])) return Restored::corrupted;
-      derive(body, rate);
+      derive(body, pace.rate);
     }
-    if (body.is_pushed() != is_pushed || (is_pushed && !body.can_move())) {
+    if (body.is_pushed() != is_pushed || body.is_held() != is_held ||
+        ((is_pushed || is_held) && !body.can_move()) || !is_within_hold(body, pace)) {
       return Restored::corrupted;
     }
     before = i;
@@ -452,7 +469,7 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   detail::Reader parts(WorldHeader::body(bytes));
   const auto said = detail::read_world<S, N>(
       parts, header, bodies, contacts, joints, World::capacity, World::contact_capacity,
-      WorldAccess::rate(world), detail::AssetLists<Lists...>(lists...));
+      WorldAccess::pace(world), detail::AssetLists<Lists...>(lists...));
   if (said == Restored::yes) {
     WorldAccess::assign(world, std::move(bodies), std::move(contacts), std::move(joints),
                         header.next_generation, header.bodies + std::size_t{header.fixed});

@@ -70,6 +70,16 @@ constexpr void solve_pressure(ReadyContact<S, N>& ready, BodyContact<S, N>& cont
   }
 }
 
+/// The gap of each point, with the motion of the bodies since they were held.
+template <Scalar S, int N>
+constexpr void measure_gaps(ReadyContact<S, N>& ready, const Moving<S, N>& a,
+                            const Moving<S, N>& b) noexcept {
+  for (std::size_t i = 0; i < ready.count; ++i) {
+    ready.gap_now[i] = rate_along<S, N>(ready.normal.along, ready.pressure[i], a.shift, a.turn,
+                                        b.shift, b.turn, ready.gap[i]);
+  }
+}
+
 /// The impulses of friction along one or two tangents, clamped to the disc of radius `limit`.
 ///
 /// In 3D a vector outside is scaled by limit / length, both exact until the quotient is rounded to

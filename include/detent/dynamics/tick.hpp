@@ -15,6 +15,7 @@
 #include "detent/dynamics/flight.hpp"
 #include "detent/dynamics/four_contacts.hpp"
 #include "detent/dynamics/four_flight.hpp"
+#include "detent/dynamics/hold.hpp"
 #include "detent/dynamics/islands.hpp"
 #include "detent/dynamics/joint/group.hpp"
 #include "detent/dynamics/manifold/pair.hpp"
@@ -72,12 +73,18 @@ class Tick {
     const bool has_fast = note_starts(bodies);
     group_.part(joints);
     find_pairs(bodies, margin);
+    are_held_ = pace.hold > 0;
+    if (are_held_) hold_back(bodies);
     touch(bodies, contacts, margin, pace.margin, threads);
     wake(bodies, joints);
     const bool is_still = !has_fast && stands_still(bodies) && have_stayed(contacts);
     const auto ends = order(bodies);
     for (std::size_t i = 0; i < moving_.size(); ++i) moving_[i] = moving_of(bodies[i]);
     prepare_all(bodies, ends, threads);
+    if (are_held_) {
+      measure_gaps(ends, threads);
+      let_go(bodies);
+    }
     group_.prepare(joints, bodies, supports_, pace.rate);
     for (int i = 0; i < substeps; ++i) substep(bodies, joints, pace, ends, threads);
     scatter_all(threads);
@@ -260,6 +267,8 @@ class Tick {
     for (int k = 0; k < N; ++k) {
       if (!is_locked(body.locked, k)) body.state.place[k] = place[k];
     }
+    body.drift = {};
+    body.lean = {};
     body.sleeps = false;
     body.quiet = 0;
   }
@@ -335,8 +344,8 @@ class Tick {
   }
 
   /// The contacts of the pairs from `begin` to before `end`.
-  constexpr void touch(const Bodies& bodies, const Contacts& before, const S& reach,
-                       const typename F::Lever& margin, std::size_t begin, std::size_t end,
+  constexpr void touch(const Bodies& bodies, const Contacts& before, const S& least_reach,
+                       const typename F::Lever& least_margin, std::size_t begin, std::size_t end,
                        Search& out) const {
     std::size_t old = 0;
     if (begin != 0) {
@@ -349,6 +358,13 @@ class Tick {
     for (std::size_t p = begin; p < end && out.contacts.size() < contacts_room; ++p) {
       const BodyPair pair = pairs_[p];
       while (old < before.size() && pair_of(before[old]) < pair) ++old;
+      auto reach = least_reach;
+      auto margin = least_margin;
+      if (are_held_) {
+        const auto slack = slack_of(bodies[pair.a]) + slack_of(bodies[pair.b]);
+        reach = wider(reach, slack);
+        margin = saturate_to<typename F::Lever>(margin + slack);
+      }
       bodies[pair.a].shape.visit([&]<class A>(const A& first) {
         bodies[pair.b].shape.visit([&]<class B>(const B& second) {
           if constexpr (is_surface_body<A> && is_surface_body<B>) {
@@ -384,6 +400,16 @@ class Tick {
           }
         });
       });
+    }
+  }
+
+  /// The margin plus the slack, rounded up.
+  template <class Slack>
+  static constexpr S wider(const S& margin, const Slack& slack) noexcept {
+    if constexpr (is_fixed<S>) {
+      return saturate_to<S>(margin + slack + half(next_up(S(0))));
+    } else {
+      return margin + slack;
     }
   }
 
@@ -813,6 +839,26 @@ class Tick {
     }
     ready.bounce = saturate_to<Ratio>((max)(restitution[0], restitution[1]));
   }
+  /// Moves the contacts of held bodies back, or to where they are.
+  constexpr void hold_back(const Bodies& bodies) noexcept {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (bodies[i].is_held()) detail::hold_back(supports_[i], bodies[i]);
+    }
+  }
+  constexpr void let_go(const Bodies& bodies) noexcept {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (bodies[i].is_held()) detail::let_go(supports_[i], bodies[i]);
+    }
+  }
+  /// The gaps of contacts whose bodies have moved since they were held.
+  template <class Threads>
+  constexpr void measure_gaps(const ColourEnds& ends, const Threads& threads) {
+    solve_each(
+        ends, threads, [](auto& solver) { return solver.measure_gaps(); },
+        [&](ReadyContact<S, N>& ready) {
+          detail::measure_gaps(ready, moving_[ready.a], moving_[ready.b]);
+        });
+  }
   /// Records the rates of a contact that bounces, at the start of the tick.
   constexpr void note_closing(ReadyContact<S, N>& ready) const noexcept {
     if (ready.bounce == 0) return;
@@ -966,7 +1012,8 @@ class Tick {
       const auto& ready = ready_[i];
       bool touches = false;
       for (std::size_t k = 0; k < ready.count; ++k) {
-        touches = touches || ready.was_pushed[k] || ready.gap[k] <= 0;
+        const auto& gap = are_held_ ? ready.gap_now[k] : ready.gap[k];
+        touches = touches || ready.was_pushed[k] || gap <= 0;
       }
       found_.contacts[ready.contact].touches = touches;
     }
@@ -976,6 +1023,7 @@ class Tick {
       if (!is_awake(body)) continue;
       body.state.velocity = moving_[i].velocity;
       body.state.spin = moving_[i].spin;
+      if (are_held_) note_hold(body, moving_[i], pace);
       body.push = {};
       body.twist = {};
       const bool is_quiet = is_slow(body.state, pace);
@@ -1022,6 +1070,8 @@ class Tick {
     if (body.generation == 0 || body.motion == BodyMotion::fixed) return moving;
     moving.velocity = body.state.velocity;
     moving.spin = body.state.spin;
+    moving.shift = body.drift;
+    moving.turn = body.lean;
     return moving;
   }
   static constexpr bool is_awake(const Body& body) noexcept {
@@ -1063,6 +1113,7 @@ class Tick {
       groups_;  // for growing worlds, on machines with long lanes
   std::array<std::uint32_t, colours - 1> group_ends_{};
   bool are_grouped_ = false;
+  bool are_held_ = false;  // bodies, if they move little
   List<std::uint8_t, contacts_room> colour_;
   List<std::uint64_t, bodies_room> used_;
   List<std::uint8_t, bodies_room> awake_;

@@ -543,6 +543,10 @@ struct WorldAccess {
     return world.next_;
   }
   template <class World>
+  [[nodiscard]] static constexpr const auto& pace(const World& world) noexcept {
+    return world.pace_;
+  }
+  template <class World>
   [[nodiscard]] static constexpr int rate(const World& world) noexcept {
     return world.pace_.rate;
   }
