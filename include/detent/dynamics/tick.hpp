@@ -362,8 +362,10 @@ class Tick {
       auto margin = least_margin;
       if (are_held_) {
         const auto slack = slack_of(bodies[pair.a]) + slack_of(bodies[pair.b]);
-        reach = wider(reach, slack);
-        margin = saturate_to<typename F::Lever>(margin + slack);
+        if (slack != 0) {
+          reach = wider(reach, slack);
+          margin = saturate_to<typename F::Lever>(margin + slack);
+        }
       }
       bodies[pair.a].shape.visit([&]<class A>(const A& first) {
         bodies[pair.b].shape.visit([&]<class B>(const B& second) {

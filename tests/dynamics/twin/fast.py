@@ -123,4 +123,5 @@ def stop(world, b, start, before, now, r):
     x = [f.place.near((y << 24) + sum(a[k] * z for a, z in zip(A, p)), f.F + 36)
          for k, y in enumerate(now.x)]
     b.x = [old if no else new for old, new, no in zip(b.x, x, b.locked_v)]
+    b.drift, b.lean = [0] * len(b.v), [0] * len(b.w)
     b.sleeps, b.quiet = False, 0

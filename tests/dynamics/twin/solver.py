@@ -58,6 +58,7 @@ class Solver:
         c.grip = f.ratio.clamp(isqrt(max(friction, 0) << 60 - 2 * f.F))
         c.bounce = ratio.near(max(c.restitution_of), f.F)
         c.closing = [self.rate(row, a.v, a.w, b.v, b.w) for row in c.rows]
+        c.gap_now = list(c.gap)
         c.pushed = [False] * c.count
 
     def row(self, p, u):
@@ -161,6 +162,7 @@ class Solver:
         f, row = self.f, c.rows[i]
         v = self.speed_along(c, row)
         gap = f.speed.clamp(c.gap[i] + self.rate(row, c.a.D, c.a.E, c.b.D, c.b.E))
+        c.gap_now[i] = gap
         scale = f.F + 42
         if gap > 0:
             p = f.impulse.near(-row.m * (v + gap), scale)
@@ -299,9 +301,10 @@ class Solver:
 def solve(world, order):
     solver = Solver(world)
     for b in world.bodies:
-        b.D, b.E = [0] * len(b.v), [0] * len(b.w)
+        b.D, b.E = list(b.drift), list(b.lean)
     for pair in order:
         solver.prepare(pair)
+    world.let_go()
     contacts = [world.contacts[pair] for pair in order]
     awake = [world.is_awake(i) for i in range(len(world.bodies))]
     joints = [Solved(solver, j) for j in world.joints if j and (awake[j.a] or awake[j.b])]
@@ -312,5 +315,6 @@ def solve(world, order):
     for c in contacts:
         if c.bounce:
             solver.bounce(c)
-        c.touches = any(g <= 0 for g in c.gap) or any(c.pushed)
+        gaps = c.gap_now if world.hold > 0 else c.gap
+        c.touches = any(g <= 0 for g in gaps) or any(c.pushed)
     return [j.joint for j in joints if j.broken]

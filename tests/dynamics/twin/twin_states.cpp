@@ -138,6 +138,8 @@ class Stage {
       settings_.bounce_threshold = number(in);
     else if (key == "sleep")
       settings_.sleep_speed = number(in);
+    else if (key == "hold")
+      settings_.hold_distance = number(in);
     else
       fail("unknown setting: " + key);
     world_ = decltype(world_)(settings_);

@@ -30,6 +30,7 @@ class World:
         self.sleep_spin = f.spin.quotient(settings["sleep"], rate, f.F)
         self.margin_raw = settings["margin"]
         self.margin = f.lever.near(settings["margin"], f.F)
+        self.hold, self.hold_turn = f.speed.near(settings["hold"], f.F), 1 << 23
         self.bodies, self.contacts, self.joints = [], {}, []  # None for a removed joint
 
     def add(self, motion, shape, place, q, options, frame):
@@ -55,6 +56,7 @@ class World:
         b.gravity = [g if scale == 1 << f.F else f.speed.near(scale * g, f.F + f.F + 12)
                      for g in self.gravity]
         b.push, b.twist = [0] * self.n, [0] * len(b.w)
+        b.drift, b.lean = [0] * self.n, [0] * len(b.w)
         bodies.set_mass(f, self.n, b, options["density"])
         self.bodies.append(b)
 
@@ -122,8 +124,10 @@ class World:
     def step(self):
         for b in self.bodies:
             self.find_axes(b)
-        self.find_contacts(self.pairs())
         starts = [(list(b.x), b.axes) for b in self.bodies]
+        pairs = list(self.pairs())
+        self.hold_back()
+        self.find_contacts(pairs)
         self.joints_before = [j for j in self.joints if j]
         islands, active = self.islands()
         broken = solver.solve(self, self.coloured(active))
@@ -164,6 +168,34 @@ class World:
                             frozenset((i, j)) not in apart):
                     yield i, j
 
+    # Held bodies
+
+    def hold_back(self):
+        """Puts held bodies where they are held, until `let_go`."""
+        f = self.f
+        self.held = [(b, b.x, b.axes) for b in self.bodies if any(b.drift + b.lean)]
+        for b, x, _ in self.held:
+            b.x = [f.place.clamp(y - d) for y, d in zip(x, b.drift)]
+            b.axes = bodies.axes(bodies.turned(b.q, [f.spin.clamp(-w) for w in b.lean]))
+
+    def let_go(self):
+        for b, x, A in self.held:
+            b.x, b.axes = x, A
+
+    def slack(self, b):
+        f = self.f
+        lean = sum(map(abs, b.lean))
+        if not lean and not any(b.drift):
+            return 0
+        radius, reach = b.shape.radius_raw, b.shape.reach
+        reach = f.lever.near(abs(radius) + sum(map(abs, reach)), f.F)
+        return f.lever.near((sum(map(abs, b.drift)) << 22) + reach * lean, f.F + 34)
+
+    def note_hold(self, b):
+        far = any(abs(x) > self.hold for x in b.D) or any(abs(w) > self.hold_turn for w in b.E)
+        b.drift = [0] * len(b.v) if far else list(b.D)
+        b.lean = [0] * len(b.w) if far else list(b.E)
+
     # 3. Contacts
 
     def find_contacts(self, pairs):
@@ -174,23 +206,29 @@ class World:
             if a.shape.kind == b.shape.kind == "surface":
                 continue
             d = self.pose(a, b)[0]
+            slack = self.slack(a) + self.slack(b)
+            margin = f.lever.clamp(self.margin + slack)
+            margin_raw = self.margin_raw
+            if slack:
+                margin_raw = f.scalar.near((margin_raw << 6) + slack + (1 << 5), f.F + 6)
             for p in placed_parts(f, a.shape, a.x, a.axes):
                 for q in placed_parts(f, b.shape, b.x, b.axes):
                     if "surface" in (p.shape.kind, q.shape.kind):
-                        self.touch_surface((i, j, p.number or q.number), p, q, d, old)
+                        self.touch_surface((i, j, p.number or q.number), p, q, d, old, margin_raw,
+                                           margin)
                         continue
                     numbers = (p.number, q.number) if p.part else (q.number, 0)
-                    found = manifold(p.shape, q.shape, *self.pose(p, q)[1:], self.margin)
+                    found = manifold(p.shape, q.shape, *self.pose(p, q)[1:], margin)
                     if p.part and found[1]:
                         found = out_of_part(f, p.part, *found)
                     key = (i, j, *numbers)
                     self.add_contact(key, (p.part, q.part), d, found, old.get(key))
 
-    def touch_surface(self, numbers, p, q, d, old):
+    def touch_surface(self, numbers, p, q, d, old, margin_raw, margin):
         a, b = self.bodies[numbers[0]], self.bodies[numbers[1]]
         ground, other = (p, q) if p.shape.kind == "surface" else (q, p)
         found = terrain.contacts(self.f, ground.shape, other.shape, *self.pose(ground, other)[1:],
-                                 self.margin_raw, self.margin)
+                                 margin_raw, margin)
         parts = {key[3]: c for key, c in old.items() if key[:3] == numbers}
         _, r, t = self.pose(a, b)
         for c in found:
@@ -294,6 +332,8 @@ class World:
                 slow = all(abs(v) <= self.sleep for v in b.v) and all(
                     abs(w) <= self.sleep_spin for w in b.w)
                 b.quiet = min(b.quiet + 1, 255) if slow else 0
+                if self.hold > 0:
+                    self.note_hold(b)
                 b.push, b.twist = [0] * len(b.v), [0] * len(b.w)
             if self.sleep > 0 and all(self.bodies[i].quiet >= min(max(self.ticks_per_second // 2, 1), 255)
                                       for i in members):
@@ -306,7 +346,8 @@ class World:
         for i, b in enumerate(self.bodies):
             if b.motion == "none":
                 continue
-            yield " ".join(map(str, ["body", i, *b.x, *b.q, *b.v, *b.w, b.quiet, int(b.sleeps)]))
+            yield " ".join(map(str, ["body", i, *b.x, *b.q, *b.v, *b.w, *b.drift, *b.lean,
+                                     b.quiet, int(b.sleeps)]))
         for key, c in sorted(self.contacts.items()):
             points = [x for p in zip(c.feature, c.pressure) for x in p]
             yield " ".join(map(str, ["contact", *key, int(c.touches), c.count, *points, *c.friction,
