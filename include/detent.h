@@ -458,6 +458,7 @@ typedef struct detent_world2_settings {
   int32_t push_speed;       /**< greatest speed at which overlaps are resolved */
   int32_t bounce_threshold; /**< slower impacts do not bounce */
   int32_t sleep_speed;      /**< slower bodies may sleep; 0: none ever does */
+  int32_t hold_distance;    /**< bodies that move less keep the geometry of their contacts; 0: none */
 } detent_world2_settings;
 
 /** The material and initial state of a body. Ratios and densities in steps of 2^-16. */
@@ -710,6 +711,7 @@ typedef struct detent_world3_settings {
   int32_t push_speed;       /**< greatest speed at which overlaps are resolved */
   int32_t bounce_threshold; /**< slower impacts do not bounce */
   int32_t sleep_speed;      /**< slower bodies may sleep; 0: none ever does */
+  int32_t hold_distance;    /**< bodies that move less keep the geometry of their contacts; 0: none */
 } detent_world3_settings;
 
 /** The material and initial state of a body. Ratios and densities in steps of 2^-16. */
@@ -2230,7 +2232,7 @@ typedef char detent_mover2_has_its_size[sizeof(detent_mover2) == 84 ? 1 : -1];
 typedef char detent_mover2_settings_has_its_size[sizeof(detent_mover2_settings) == 24 ? 1 : -1];
 typedef char detent_mover2_touch_has_its_size[sizeof(detent_mover2_touch) == 24 ? 1 : -1];
 typedef char detent_move2_has_its_size[sizeof(detent_move2) == 224 ? 1 : -1];
-typedef char detent_world2_settings_has_its_size[sizeof(detent_world2_settings) == 32 ? 1 : -1];
+typedef char detent_world2_settings_has_its_size[sizeof(detent_world2_settings) == 36 ? 1 : -1];
 typedef char detent_body2_options_has_its_size[sizeof(detent_body2_options) == 80 ? 1 : -1];
 typedef char detent_part2_has_its_size[sizeof(detent_part2) == 60 ? 1 : -1];
 typedef char detent_joint2_has_its_size[sizeof(detent_joint2) == 108 ? 1 : -1];
@@ -2257,7 +2259,7 @@ typedef char detent_mover3_has_its_size[sizeof(detent_mover3) == 124 ? 1 : -1];
 typedef char detent_mover3_settings_has_its_size[sizeof(detent_mover3_settings) == 28 ? 1 : -1];
 typedef char detent_mover3_touch_has_its_size[sizeof(detent_mover3_touch) == 32 ? 1 : -1];
 typedef char detent_move3_has_its_size[sizeof(detent_move3) == 300 ? 1 : -1];
-typedef char detent_world3_settings_has_its_size[sizeof(detent_world3_settings) == 36 ? 1 : -1];
+typedef char detent_world3_settings_has_its_size[sizeof(detent_world3_settings) == 40 ? 1 : -1];
 typedef char detent_body3_options_has_its_size[sizeof(detent_body3_options) == 96 ? 1 : -1];
 typedef char detent_part3_has_its_size[sizeof(detent_part3) == 88 ? 1 : -1];
 typedef char detent_joint3_has_its_size[sizeof(detent_joint3) == 156 ? 1 : -1];

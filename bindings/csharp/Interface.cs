@@ -340,6 +340,7 @@ public struct World2Settings {
   public int push_speed;
   public int bounce_threshold;
   public int sleep_speed;
+  public int hold_distance;
 }
 
 /// <summary>The material and initial state of a body. Ratios and densities in steps of 2^-16.</summary>
@@ -627,6 +628,7 @@ public struct World3Settings {
   public int push_speed;
   public int bounce_threshold;
   public int sleep_speed;
+  public int hold_distance;
 }
 
 /// <summary>The material and initial state of a body. Ratios and densities in steps of 2^-16.</summary>
@@ -1617,7 +1619,7 @@ public static unsafe class C {
     if (sizeof(Mover2Settings) != 24) throw new TypeLoadException("detent_mover2_settings");
     if (sizeof(Mover2Touch) != 24) throw new TypeLoadException("detent_mover2_touch");
     if (sizeof(Move2) != 224) throw new TypeLoadException("detent_move2");
-    if (sizeof(World2Settings) != 32) throw new TypeLoadException("detent_world2_settings");
+    if (sizeof(World2Settings) != 36) throw new TypeLoadException("detent_world2_settings");
     if (sizeof(Body2Options) != 80) throw new TypeLoadException("detent_body2_options");
     if (sizeof(Part2) != 60) throw new TypeLoadException("detent_part2");
     if (sizeof(Joint2) != 108) throw new TypeLoadException("detent_joint2");
@@ -1644,7 +1646,7 @@ public static unsafe class C {
     if (sizeof(Mover3Settings) != 28) throw new TypeLoadException("detent_mover3_settings");
     if (sizeof(Mover3Touch) != 32) throw new TypeLoadException("detent_mover3_touch");
     if (sizeof(Move3) != 300) throw new TypeLoadException("detent_move3");
-    if (sizeof(World3Settings) != 36) throw new TypeLoadException("detent_world3_settings");
+    if (sizeof(World3Settings) != 40) throw new TypeLoadException("detent_world3_settings");
     if (sizeof(Body3Options) != 96) throw new TypeLoadException("detent_body3_options");
     if (sizeof(Part3) != 88) throw new TypeLoadException("detent_part3");
     if (sizeof(Joint3) != 156) throw new TypeLoadException("detent_joint3");

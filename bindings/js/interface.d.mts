@@ -361,6 +361,7 @@ export interface World2Settings {
   push_speed: number;
   bounce_threshold: number;
   sleep_speed: number;
+  hold_distance: number;
 }
 
 /** The material and initial state of a body. Ratios and densities in steps of 2^-16. */
@@ -595,6 +596,7 @@ export interface World3Settings {
   push_speed: number;
   bounce_threshold: number;
   sleep_speed: number;
+  hold_distance: number;
 }
 
 /** The material and initial state of a body. Ratios and densities in steps of 2^-16. */

@@ -68,9 +68,9 @@ struct Worlds {
   static detent_status default_settings(typename T::Settings* out) {
     if (out == nullptr) return DETENT_BAD_ARGUMENT;
     const Settings own;
-    *out = {own.ticks_per_second, own.substeps,         Output<N>::vec(own.gravity),
-            own.margin.raw(),     own.push_speed.raw(), own.bounce_threshold.raw(),
-            own.sleep_speed.raw()};
+    *out = {own.ticks_per_second,  own.substeps,           Output<N>::vec(own.gravity),
+            own.margin.raw(),      own.push_speed.raw(),   own.bounce_threshold.raw(),
+            own.sleep_speed.raw(), own.hold_distance.raw()};
     return DETENT_OK;
   }
   static detent_status default_options(typename T::BodyOptions* out) {
@@ -105,7 +105,7 @@ struct Worlds {
       if (settings->ticks_per_second < 1 || settings->ticks_per_second > most ||
           settings->substeps < 1 || settings->substeps > most / settings->ticks_per_second ||
           settings->margin < 0 || settings->push_speed < 0 || settings->bounce_threshold < 0 ||
-          settings->sleep_speed < 0) {
+          settings->sleep_speed < 0 || settings->hold_distance < 0) {
         return DETENT_BAD_ARGUMENT;
       }
       own.ticks_per_second = settings->ticks_per_second;
@@ -115,6 +115,7 @@ struct Worlds {
       own.push_speed = Input<N>::number(settings->push_speed);
       own.bounce_threshold = Input<N>::number(settings->bounce_threshold);
       own.sleep_speed = Input<N>::number(settings->sleep_speed);
+      own.hold_distance = Input<N>::number(settings->hold_distance);
     }
     return guarded(nullptr, [&] { return table->make<World>(kind, world, refers_to, own); });
   }

@@ -238,6 +238,7 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
     set(settings.push_speed, model_.push_speed, "push_speed");
     set(settings.bounce_threshold, model_.bounce_threshold, "bounce_threshold");
     set(settings.sleep_speed, model_.sleep_speed, "sleep_speed");
+    set(settings.hold_distance, model_.hold_distance, "hold_distance");
     return settings;
   }
 

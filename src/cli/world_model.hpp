@@ -98,7 +98,7 @@ struct WorldModel {
   int dimension = 3;
   int ticks_per_second = 60, substeps = 4;
   std::optional<Point> gravity;
-  std::optional<Literal> margin, push_speed, bounce_threshold, sleep_speed;
+  std::optional<Literal> margin, push_speed, bounce_threshold, sleep_speed, hold_distance;
   std::optional<CameraModel> camera;
   std::optional<FlatCamera> flat_camera;
   Point light;

@@ -79,7 +79,7 @@ class WorldReader : private JsonFields {
     expect(node, Kind::object, owner);
     allow_keys(node, owner,
                {"ticks_per_second", "substeps", "gravity", "margin", "push_speed",
-                "bounce_threshold", "sleep_speed"});
+                "bounce_threshold", "sleep_speed", "hold_distance"});
     if (const JsonNode* const ticks = find(node, "ticks_per_second")) {
       world_.ticks_per_second = whole(*ticks, "ticks_per_second", 1, 1000);
     }
@@ -91,6 +91,7 @@ class WorldReader : private JsonFields {
     world_.push_speed = maybe_positive(node, "push_speed");
     world_.bounce_threshold = maybe_positive(node, "bounce_threshold");
     world_.sleep_speed = maybe_positive(node, "sleep_speed");
+    world_.hold_distance = maybe_positive(node, "hold_distance");
   }
 
   FlatCamera flat_camera(const JsonNode& node) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "detent/dynamics/dynamics.hpp"
@@ -18,7 +19,8 @@ class Crowd {
   using S = q16_16;
   using Bodies = World<S, 3, Obb, BodyCompound, BodyMesh, BallJoint>;
 
-  explicit Crowd(std::uint64_t seed) : random_(seed) {
+  explicit Crowd(std::uint64_t seed, double hold_distance = 0)
+      : random_(seed), world_(settings(hold_distance)) {
     world_.add(BodyMesh<S, 3>{&ground_.asset, {}, {}}, fixed<S>());
     world_.add(box_of<S, 3>(0, -4, 1, 4), fixed<S>());
     auto last = no_object;
@@ -44,8 +46,20 @@ class Crowd {
   Crowd& operator=(const Crowd&) = delete;
 
   [[nodiscard]] const Bodies& world() const noexcept { return world_; }
+  /// The assets of its bodies, to restore a snapshot.
+  [[nodiscard]] std::span<const SolidCompound<S, 3>> compounds() const noexcept {
+    return {&solid_, 1};
+  }
+  [[nodiscard]] std::span<const MeshAsset<S>> meshes() const noexcept {
+    return {&ground_.asset, 1};
+  }
 
  private:
+  static WorldSettings<S, 3> settings(double hold_distance) {
+    WorldSettings<S, 3> settings;
+    settings.hold_distance = num<S>(hold_distance);
+    return settings;
+  }
   std::optional<BodyId> add(const Vec<S, 3>& at, const BodyOptions<S, 3>& options) {
     if (random_.one_in(8)) return world_.add(BodyCompound<S, 3>{&solid_, at, {}}, options);
     return world_.add(Obb<S, 3>{at, point<S>(0.5, 0.25, 0.4), {}}, options);

@@ -28,10 +28,11 @@ struct Scene {
   BodyId top{};
   BodyOptions<S, N> options{};
 
-  Scene(int substeps, double sleep_speed = 0) {
+  Scene(int substeps, double sleep_speed = 0, double hold_distance = 0) {
     WorldSettings<S, N> settings;
     settings.substeps = substeps;
     settings.sleep_speed = num<S>(sleep_speed);
+    settings.hold_distance = num<S>(hold_distance);
     world = World<S, N, Obb>(settings);
     BodyOptions<S, N> fixed;
     fixed.motion = BodyMotion::fixed;
@@ -61,16 +62,17 @@ struct Scene {
 };
 
 template <Scalar S, int N>
-Scene<S, N> stack(int boxes, int substeps, double sleep_speed = 0) {
-  Scene<S, N> scene(substeps, sleep_speed);
+Scene<S, N> stack(int boxes, int substeps, double sleep_speed = 0, double hold_distance = 0) {
+  Scene<S, N> scene(substeps, sleep_speed, hold_distance);
   for (int i = 0; i < boxes; ++i) scene.add(box_at<S, N>(0, 0.5 + i, 0.5, 0.5));
   return scene;
 }
 
 /// Three boxes; the last one weighs 100 times as much as each of the others.
 template <Scalar S, int N>
-Scene<S, N> heavy_top(double weight, int substeps, double sleep_speed = 0) {
-  Scene<S, N> scene(substeps, sleep_speed);
+Scene<S, N> heavy_top(double weight, int substeps, double sleep_speed = 0,
+                      double hold_distance = 0) {
+  Scene<S, N> scene(substeps, sleep_speed, hold_distance);
   scene.add(box_at<S, N>(0, 0.5, 0.5, 0.5));
   scene.add(box_at<S, N>(0, 1.5, 0.5, 0.5));
   scene.add(box_at<S, N>(0, 2.5, 0.5, 0.5), weight);
@@ -91,8 +93,9 @@ Scene<S, 2> pyramid(int base, int substeps, double sleep_speed = 0) {
 /// A house of cards: cards of 1.2 by 0.1 lean against each other, with level cards between the
 /// storeys.
 template <Scalar S>
-Scene<S, 2> house_of_cards(int levels, int substeps, double sleep_speed = 0) {
-  Scene<S, 2> scene(substeps, sleep_speed);
+Scene<S, 2> house_of_cards(int levels, int substeps, double sleep_speed = 0,
+                           double hold_distance = 0) {
+  Scene<S, 2> scene(substeps, sleep_speed, hold_distance);
   scene.options.friction = num<S>(0.7);
   const double thin = 0.05, tall = 0.6, lean = 0.42;
   const double height = 2 * (tall * std::cos(lean) + thin * std::sin(lean));

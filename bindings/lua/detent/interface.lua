@@ -319,6 +319,7 @@ typedef struct detent_world2_settings {
   int32_t push_speed;
   int32_t bounce_threshold;
   int32_t sleep_speed;
+  int32_t hold_distance;
 } detent_world2_settings;
 typedef struct detent_body2_options {
   uint64_t user;
@@ -505,6 +506,7 @@ typedef struct detent_world3_settings {
   int32_t push_speed;
   int32_t bounce_threshold;
   int32_t sleep_speed;
+  int32_t hold_distance;
 } detent_world3_settings;
 typedef struct detent_body3_options {
   uint64_t user;
@@ -1285,7 +1287,7 @@ local sizes = {
   detent_mover2_settings = 24,
   detent_mover2_touch = 24,
   detent_move2 = 224,
-  detent_world2_settings = 32,
+  detent_world2_settings = 36,
   detent_body2_options = 80,
   detent_part2 = 60,
   detent_joint2 = 108,
@@ -1312,7 +1314,7 @@ local sizes = {
   detent_mover3_settings = 28,
   detent_mover3_touch = 32,
   detent_move3 = 300,
-  detent_world3_settings = 36,
+  detent_world3_settings = 40,
   detent_body3_options = 96,
   detent_part3 = 88,
   detent_joint3 = 156,

@@ -455,6 +455,7 @@ class detent_world2_settings(Structure):
         ('push_speed', c_int32),
         ('bounce_threshold', c_int32),
         ('sleep_speed', c_int32),
+        ('hold_distance', c_int32),
     ]
 
 
@@ -757,6 +758,7 @@ class detent_world3_settings(Structure):
         ('push_speed', c_int32),
         ('bounce_threshold', c_int32),
         ('sleep_speed', c_int32),
+        ('hold_distance', c_int32),
     ]
 
 
@@ -893,7 +895,7 @@ assert sizeof(detent_mover2) == 84
 assert sizeof(detent_mover2_settings) == 24
 assert sizeof(detent_mover2_touch) == 24
 assert sizeof(detent_move2) == 224
-assert sizeof(detent_world2_settings) == 32
+assert sizeof(detent_world2_settings) == 36
 assert sizeof(detent_body2_options) == 80
 assert sizeof(detent_part2) == 60
 assert sizeof(detent_joint2) == 108
@@ -920,7 +922,7 @@ assert sizeof(detent_mover3) == 124
 assert sizeof(detent_mover3_settings) == 28
 assert sizeof(detent_mover3_touch) == 32
 assert sizeof(detent_move3) == 300
-assert sizeof(detent_world3_settings) == 36
+assert sizeof(detent_world3_settings) == 40
 assert sizeof(detent_body3_options) == 96
 assert sizeof(detent_part3) == 88
 assert sizeof(detent_joint3) == 156

@@ -482,8 +482,9 @@ pub struct World2Settings {
     pub push_speed: i32,
     pub bounce_threshold: i32,
     pub sleep_speed: i32,
+    pub hold_distance: i32,
 }
-const _: () = assert!(std::mem::size_of::<World2Settings>() == 32);
+const _: () = assert!(std::mem::size_of::<World2Settings>() == 36);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -811,8 +812,9 @@ pub struct World3Settings {
     pub push_speed: i32,
     pub bounce_threshold: i32,
     pub sleep_speed: i32,
+    pub hold_distance: i32,
 }
-const _: () = assert!(std::mem::size_of::<World3Settings>() == 36);
+const _: () = assert!(std::mem::size_of::<World3Settings>() == 40);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

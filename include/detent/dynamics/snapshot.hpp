@@ -325,8 +325,8 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
     const auto generation = in.number<std::uint32_t>();
     const std::size_t i = word & 0xfffffu;
     const bool alike = (word >> 29 & 1) != 0;
-    if (in.has_failed() || i < lowest || generation == 0 ||
-        generation >= header.next_generation || (alike && !has_before)) {
+    if (in.has_failed() || i < lowest || generation == 0 || generation >= header.next_generation ||
+        (alike && !has_before)) {
       return Restored::corrupted;
     }
     if (i >= bodies_room) return Restored::no_room;

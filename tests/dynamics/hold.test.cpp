@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "detent/dynamics/hold.hpp"
+
+#include "dynamics/crowd.hpp"
+#include "dynamics/scenes.hpp"
+#include "support/catch.hpp"
+
+namespace detent::test {
+namespace {
+
+constexpr double distance = 0.1;
+
+template <class World>
+std::size_t held_in(const World& world) {
+  const auto& bodies = detail::WorldAccess::bodies(world);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) count += bodies[i].is_held();
+  return count;
+}
+
+/// A scene of `settle` in q16_16 and in double.
+struct Both {
+  Settled fixed, real;
+};
+template <class Make>
+Both settle_both(const Make& make, int ticks) {
+  return {settle(make(q16_16()), ticks), settle(make(double()), ticks)};
+}
+
+}  // namespace
+
+TEST_CASE("hold: without it a stack of 20 falls at 4 substeps") {
+  const auto settled = settle(stack<q16_16, 3>(20, 4), 600);
+  CHECK(settled.dy < -10);
+}
+
+TEST_CASE("hold: a stack of 20 stands at 4 substeps") {
+  const auto [fixed, real] =
+      settle_both([](auto s) { return stack<decltype(s), 3>(20, 4, 0, distance); }, 600);
+  for (const auto& settled : {fixed, real}) {
+    CHECK(settled.rest >= 0);
+    CHECK(settled.rest < 60);
+    CHECK(std::fabs(settled.dy + 0.1083) < 0.0005);
+    CHECK(std::fabs(settled.dx) < 0.01);
+  }
+  CHECK(fixed.digest == 0x24731aca80903446);
+}
+
+TEST_CASE("hold: a house of cards and a stack in 2D rest") {
+  const auto cards =
+      settle_both([](auto s) { return house_of_cards<decltype(s)>(3, 4, 0, distance); }, 600);
+  for (const auto& settled : {cards.fixed, cards.real}) {
+    CHECK(settled.rest >= 0);
+    CHECK(settled.rest < 60);
+    CHECK(std::fabs(settled.dy) < 0.02);
+    CHECK(std::fabs(settled.dx) < 0.02);
+  }
+  CHECK(cards.fixed.digest == 0x0ab3ed2bdaac487e);
+  const auto boxes =
+      settle_both([](auto s) { return stack<decltype(s), 2>(20, 4, 0, distance); }, 600);
+  for (const auto& settled : {boxes.fixed, boxes.real}) {
+    CHECK(settled.rest >= 0);
+    CHECK(settled.rest < 100);
+    CHECK(std::fabs(settled.dx) < 0.02);
+  }
+  CHECK(boxes.fixed.digest == 0x2e4e358388de75be);
+}
+
+TEST_CASE("hold: a body is held until it has moved or turned too far") {
+  Scene<q16_16, 2> scene(4, 0, distance);
+  scene.options.friction = q16_16(0);
+  scene.options.velocity = at<q16_16, 2>(1, 0);
+  scene.add(box_at<q16_16, 2>(0, 0.5, 0.5, 0.5));
+  const auto& pace = detail::WorldAccess::pace(scene.world);
+  const auto& body = detail::WorldAccess::bodies(scene.world)[scene.top.index];
+  int renewals = 0;
+  for (int t = 0; t < 60; ++t) {
+    scene.step(1);
+    CHECK(abs(body.drift.x) <= pace.hold);
+    renewals += body.is_held() ? 0 : 1;
+  }
+  CHECK(renewals > 7);  // each 6 or 7 ticks
+  CHECK(renewals < 10);
+  scene.world.set_velocity(scene.top, {});
+  scene.world.set_angular_velocity(scene.top, {num<q16_16>(1.2)});  // 0.02 a tick
+  scene.step(1);
+  CHECK(abs(body.lean[0]) > half(half(pace.hold_turn)));
+  CHECK(abs(body.lean[0]) <= pace.hold_turn);
+}
+
+TEST_CASE("hold: bodies that come slowly are met in time") {
+  // The box slides to a wall at less than the distance a tick, so that it is held all the way.
+  for (const double hold_distance : {0.0, 0.5}) {
+    Scene<q16_16, 2> scene(4, 0, hold_distance);
+    const auto wall = box_at<q16_16, 2>(3, 1, 0.5, 1);
+    scene.world.add(wall, {.motion = BodyMotion::fixed});
+    scene.options.friction = q16_16(0);
+    scene.options.velocity = at<q16_16, 2>(1, 0);
+    scene.add(box_at<q16_16, 2>(0, 0.5, 0.5, 0.5));
+    for (int t = 0; t < 240; ++t) {
+      scene.step(1);
+      CHECK(scene.world.position(scene.top).x < num<q16_16>(2.001));
+    }
+    CHECK(scene.world.position(scene.top).x > num<q16_16>(1.99));
+  }
+}
+
+TEST_CASE("hold: worlds restored from a snapshot continue bit for bit") {
+  const Crowd crowd(5, distance);
+  auto world = crowd.world();
+  std::size_t held = 0;
+  for (int t = 0; t < 60; ++t) {
+    world.step();
+    held = (std::max)(held, held_in(world));
+    if (t % 20 != 19) continue;
+    auto restored = crowd.world();
+    const auto bytes = snapshot(world);
+    REQUIRE(restore(restored, bytes, crowd.compounds(), crowd.meshes()) == Restored::yes);
+    CHECK(snapshot(restored) == bytes);
+    auto copy = world;
+    for (int i = 0; i < 10; ++i) {
+      copy.step();
+      restored.step();
+      REQUIRE(digest(copy) == digest(restored));
+    }
+  }
+  CHECK(held > 10);
+}
+
+TEST_CASE("hold: snapshots with a body beyond the limits, or for other settings, are rejected") {
+  auto scene = stack<q16_16, 2>(3, 4, 0, distance);
+  scene.step(5);
+  auto fresh = stack<q16_16, 2>(3, 4, 0, distance);
+  CHECK(restore(fresh.world, snapshot(scene.world)) == Restored::yes);
+  auto& body = detail::WorldAccess::bodies(scene.world)[scene.top.index];
+  const auto drift = body.drift;
+  body.drift.x = detail::WorldAccess::pace(scene.world).hold;
+  CHECK(restore(fresh.world, snapshot(scene.world)) == Restored::yes);
+  body.drift.x = next_up(body.drift.x);
+  CHECK(restore(fresh.world, snapshot(scene.world)) == Restored::corrupted);
+  body.drift = drift;
+  body.lean[0] = -next_up(detail::WorldAccess::pace(scene.world).hold_turn);
+  CHECK(restore(fresh.world, snapshot(scene.world)) == Restored::corrupted);
+  auto other = stack<q16_16, 2>(3, 4);
+  CHECK(restore(other.world, snapshot(fresh.world)) == Restored::other_scene);
+}
+
+TEST_CASE("hold: a bounded world has the same bits as one that solves contacts four at once") {
+  auto scene = stack<q16_16, 3>(12, 4, 0, distance);
+  BoundedWorld<Bounded<16>, q16_16, 3, Obb> world(scene.world.settings());
+  (void)world.add(box_at<q16_16, 3>(0, -1, 50, 1), {.motion = BodyMotion::fixed});
+  for (int i = 0; i < 12; ++i) (void)world.add(box_at<q16_16, 3>(0, 0.5 + i, 0.5, 0.5));
+  for (int t = 0; t < 60; ++t) {
+    scene.step(1);
+    world.step();
+    REQUIRE(digest(world) == digest(scene.world));
+  }
+}
+
+}  // namespace detent::test
