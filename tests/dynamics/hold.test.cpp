@@ -81,11 +81,16 @@ TEST_CASE("hold: a body is held until it has moved or turned too far") {
   }
   CHECK(renewals > 7);  // each 6 or 7 ticks
   CHECK(renewals < 10);
-  scene.world.set_velocity(scene.top, {});
-  scene.world.set_angular_velocity(scene.top, {num<q16_16>(1.2)});  // 0.02 a tick
-  scene.step(1);
-  CHECK(abs(body.lean[0]) > half(half(pace.hold_turn)));
-  CHECK(abs(body.lean[0]) <= pace.hold_turn);
+
+  Scene<q16_16, 2> falling(4, 0, distance);
+  falling.options.angular_velocity = {num<q16_16>(1.2)};  // 0.02 a tick
+  falling.add(box_at<q16_16, 2>(0, 50, 0.5, 0.5));
+  const auto& other = detail::WorldAccess::bodies(falling.world)[falling.top.index];
+  falling.step(1);
+  CHECK(other.lean[0] > half(pace.hold_turn));
+  CHECK(other.lean[0] <= pace.hold_turn);
+  falling.step(1);
+  CHECK(!other.is_held());
 }
 
 TEST_CASE("hold: bodies that come slowly are met in time") {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: node engines.mjs FOLDER [SCENE...]; tests/bench/worlds/run builds FOLDER and runs it
-// Steps the scenes of plans.hpp in detent's WebAssembly (q16_16 and float), in Rapier and in Jolt,
+// Steps the scenes of plans.hpp in detent's WebAssembly (q16_16, also with a hold distance of 0.1, and
+// float), in Rapier and in Jolt,
 // alternating step by step. Prints two tables as CSV: milliseconds per step, the mean of steps 60
 // to 299, and how well each scene stands.
 import { readFileSync } from 'node:fs';
@@ -26,12 +27,13 @@ const columns = (q) => [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((v) => turned(q, v)
 const xyz = ([x, y, z]) => ({ x, y, z });
 
 class Detent {
-  constructor(name) {
-    this.name = name;
-    const module = new WebAssembly.Module(readFileSync(join(folder, `${name}.wasm`)));
+  constructor(scalar, holdDistance = 0) {
+    this.name = holdDistance > 0 ? `${scalar} held` : scalar;
+    const module = new WebAssembly.Module(readFileSync(join(folder, `${scalar}.wasm`)));
     const nothing = Object.fromEntries(WebAssembly.Module.imports(module).map((each) => [each.name, () => 0]));
     this.wasm = new WebAssembly.Instance(module, { wasi_snapshot_preview1: nothing }).exports;
     this.wasm._initialize();
+    this.wasm.hold(holdDistance);
   }
   names() {
     return Array.from({ length: this.wasm.plan_count() }, (_, i) => {
@@ -223,7 +225,7 @@ function quality(plan, first, last, before) {
 
 await RAPIER.init();
 const detent = new Detent('q16_16');
-const engines = [detent, new Detent('float'), new Rapier(), new Jolt(await initJolt())];
+const engines = [detent, new Detent('q16_16', 0.1), new Detent('float'), new Rapier(), new Jolt(await initJolt())];
 const rows = [];
 const text = (x, digits) => x === undefined ? '' : x.toFixed(digits);
 console.log(`scene,${engines.map(({ name }) => `${name} ms`).join()},${engines.slice(1).map(({ name }) => `detent : ${name}`).join()}`);
