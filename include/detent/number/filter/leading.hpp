@@ -100,6 +100,15 @@ struct Leading {
     return Leading(high, ((x.exponent + 1) >> 1) - 30);
   }
 
+  /// a / sqrt(square) with a relative error below 2^-43 (docs/filters.md, lemma 31); `square` must
+  /// not be 0.
+  [[nodiscard]] friend constexpr Leading over_root(const Leading& a,
+                                                   const Leading& square) noexcept {
+    const std::uint64_t even = square.word >> (square.exponent & 1);
+    const auto high = multiply_words(a.word, detail::reciprocal_root(even)).high;
+    return Leading(high, a.exponent - ((square.exponent + 1) >> 1) - 30);
+  }
+
   /// The number times 2^Frac, rounded down; the product must be below 2^62.
   template <int Frac>
   [[nodiscard]] constexpr std::int64_t scaled() const noexcept {
