@@ -170,6 +170,18 @@ template <class T>
           highest >= word && floor(lowest) == floor(highest)};
 }
 
+/// The leading bits of a vector's squared length, with a relative error below 2^-59
+/// (docs/filters.md, lemma 31).
+template <int B, int F, std::size_t N>
+[[nodiscard]] constexpr Leading squared_leading(const std::array<Fixed<B, F>, N>& v) noexcept {
+  Leading squared;
+  for (const auto& c : v) {
+    const Leading component(abs(c));
+    squared = squared + component * component;
+  }
+  return squared;
+}
+
 /// p x - q y rounded to the nearest point of the grid of `T`, where |p x| and |q y| are at most 1
 /// and the error of their difference is below 2^-42.
 template <class T, int BX, int FX, int BY, int FY>
@@ -222,8 +234,7 @@ template <Number T, std::size_t N, Number L>
     }
   };
   if constexpr (127 < 2 * bits_of<T> + 2 || 127 < 2 * bits_of<L>) {
-    Leading squared;
-    for (const auto& c : v) squared = squared + Leading(abs(c)) * Leading(abs(c));
+    const Leading squared = squared_leading(v);
     const Leading limit = Leading(length) * Leading(length);
     return sign_or_exact(decide(difference(squared, limit, Relative{56})), exact);
   } else {
