@@ -133,6 +133,7 @@ template <Scalar S, int N, class Body, Number Radius>
   const auto squared = squared_length(plane.normal);
   std::optional<Result> result;
   if (lowest > 0 || highest < 0) {
+    if (is_fixed<S> && radius == 0) return result;
     const auto depth =
         depth_of_gap<S>(radius, Fraction{square(lowest > 0 ? lowest : highest), squared});
     if (depth) result = Result{lowest > 0 ? plane.normal : -plane.normal, *depth};
