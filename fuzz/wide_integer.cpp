@@ -71,6 +71,10 @@ void check(Source& source) {
   require_that(-a == reduced<Words>(-x), "-a");
   require_that(a * b == reduced<Words>(x * y), "a * b");
   require_that(multiply<Words + 2>(a, b) == reduced<Words + 2>(x * y), "multiply");
+  const auto word = static_cast<std::int64_t>(b.word(0));
+  require_that(wrapping_multiply<Wide<Words + 2>>(a, word) == reduced<Words + 2>(x * word) &&
+                   wrapping_multiply<Wide<Words + 2>>(word, a) == reduced<Words + 2>(x * word),
+               "product with a word");
   require_that((a << count) == reduced<Words>(x << count), "a << count");
   const Big one = Big(1) << count;
   Big down = x / one;

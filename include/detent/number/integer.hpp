@@ -133,6 +133,14 @@ template <class To, class A, class B>
       const std::uint64_t signed_high = high - (x < 0 ? static_cast<std::uint64_t>(y) : 0) -
                                         (y < 0 ? static_cast<std::uint64_t>(x) : 0);
       return integer_cast<To>(Wide<2>::from_words({low, signed_high}));
+#if DETENT_NATIVE_INT128
+    } else if constexpr (!DETENT_SHORT_WORDS && detail::words_of<To> >= 4 && a_words == 2 &&
+                         b_words == 1) {
+      return multiply_pair<detail::words_of<To>>(integer_cast<Wide<2>>(a), std::int64_t{b});
+    } else if constexpr (!DETENT_SHORT_WORDS && detail::words_of<To> >= 4 && a_words == 1 &&
+                         b_words == 2) {
+      return multiply_pair<detail::words_of<To>>(integer_cast<Wide<2>>(b), std::int64_t{a});
+#endif
     } else {
       return multiply<detail::words_of<To>>(integer_cast<Wide<(a_words < 2 ? 2 : a_words)>>(a),
                                             integer_cast<Wide<(b_words < 2 ? 2 : b_words)>>(b));

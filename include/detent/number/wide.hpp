@@ -123,6 +123,24 @@ class Wide {
     return words_[index(i)];
   }
   [[nodiscard]] constexpr bool is_negative() const noexcept { return (words_.back() >> 63) != 0; }
+#if DETENT_NATIVE_INT128
+  /// Words 2 i and 2 i + 1.
+  [[nodiscard]] DETENT_INLINE_TINY constexpr UInt128 pair(int i) const noexcept {
+    return (static_cast<UInt128>(word(2 * i + 1)) << 64) | word(2 * i);
+  }
+  /// high * 2^128 + low, whose sign is that of `high`.
+  [[nodiscard]] DETENT_INLINE_TINY static constexpr Wide from_pairs(UInt128 low,
+                                                                    UInt128 high) noexcept {
+    static_assert(Words >= 4);
+    Wide result;
+    result.words_[0] = static_cast<std::uint64_t>(low);
+    result.words_[1] = static_cast<std::uint64_t>(low >> 64);
+    result.words_[2] = static_cast<std::uint64_t>(high);
+    result.words_[3] = static_cast<std::uint64_t>(high >> 64);
+    result.fill_from(4, (high >> 127) != 0);
+    return result;
+  }
+#endif
 
   /// The low bits, as in a conversion between built-in integers.
   template <std::integral Int>
@@ -145,6 +163,12 @@ class Wide {
       const std::uint64_t low = a.word(0) + b.word(0);
       return from_words({low, a.word(1) + b.word(1) + (low < b.word(0) ? 1u : 0u)});
     }
+#if DETENT_NATIVE_INT128
+    if constexpr (Words == 4) {  // compilers have instructions for the carry of a pair
+      const UInt128 low = a.pair(0) + b.pair(0);
+      return from_pairs(low, a.pair(1) + b.pair(1) + (low < b.pair(0) ? 1u : 0u));
+    }
+#endif
     Wide sum;
     std::uint64_t carry = 0;
     for (int i = 0; i < Words; ++i) {
@@ -162,6 +186,12 @@ class Wide {
       const std::uint64_t borrow = a.word(0) < b.word(0) ? 1u : 0u;
       return from_words({a.word(0) - b.word(0), a.word(1) - b.word(1) - borrow});
     }
+#if DETENT_NATIVE_INT128
+    if constexpr (Words == 4) {
+      const UInt128 borrow = a.pair(0) < b.pair(0) ? 1u : 0u;
+      return from_pairs(a.pair(0) - b.pair(0), a.pair(1) - b.pair(1) - borrow);
+    }
+#endif
     Wide difference;
     std::uint64_t borrow = 0;
     for (int i = 0; i < Words; ++i) {
@@ -300,6 +330,35 @@ template <int Result, int A, int B>
   return a.is_negative() != b.is_negative() ? -product : product;
 }
 
+#if DETENT_NATIVE_INT128
+/// a * b for two words each, without branches.
+template <int Result>
+[[nodiscard]] constexpr Wide<Result> multiply_pairs(const Wide<2>& a, const Wide<2>& b) noexcept {
+  const auto times = [&](int i, int j) { return static_cast<UInt128>(a.word(i)) * b.word(j); };
+  const UInt128 bottom = times(0, 0), left = times(0, 1), right = times(1, 0);
+  const UInt128 middle =
+      (bottom >> 64) + static_cast<std::uint64_t>(left) + static_cast<std::uint64_t>(right);
+  UInt128 high = times(1, 1) + (left >> 64) + (right >> 64) + (middle >> 64);
+  high -= a.is_negative() ? b.pair(0) : 0;
+  high -= b.is_negative() ? a.pair(0) : 0;
+  return Wide<Result>::from_pairs((middle << 64) | static_cast<std::uint64_t>(bottom), high);
+}
+/// The same for two words and one.
+template <int Result>
+[[nodiscard]] constexpr Wide<Result> multiply_pair(const Wide<2>& a, std::int64_t b) noexcept {
+  const auto pattern = static_cast<std::uint64_t>(b);
+  const UInt128 bottom = static_cast<UInt128>(a.word(0)) * pattern;
+  UInt128 high = static_cast<UInt128>(a.word(1)) * pattern + (bottom >> 64);
+  high -= b < 0 ? a.pair(0) : 0;
+  high -= a.is_negative() ? static_cast<UInt128>(pattern) << 64 : 0;
+  const auto top = static_cast<std::uint64_t>(static_cast<Int128>(high) >> 127);
+  const auto middle = static_cast<std::uint64_t>(high);
+  return Wide<Result>::from_pairs(
+      (static_cast<UInt128>(middle) << 64) | static_cast<std::uint64_t>(bottom),
+      (static_cast<UInt128>(top) << 64) | static_cast<std::uint64_t>(high >> 64));
+}
+#endif
+
 // Schoolbook product of the unsigned patterns u(a) and u(b). A negative a is u(a) - 2^(64 A),
 // so a * b = u(a) * u(b) - [b < 0] * u(a) * 2^(64 B) - [a < 0] * b * 2^(64 A).
 template <int Result, int A, int B>
@@ -307,6 +366,9 @@ constexpr Wide<Result> multiply(const Wide<A>& a, const Wide<B>& b) noexcept {
 #if DETENT_SHORT_WORDS
   return multiply_by_halves<Result>(a, b);
 #else
+#if DETENT_NATIVE_INT128
+  if constexpr (A == 2 && B == 2 && Result >= 4) return multiply_pairs<Result>(a, b);
+#endif
   std::array<std::uint64_t, std::size_t{Result}> sum{};
   const auto at = [&sum](int i) -> std::uint64_t& { return sum[static_cast<std::size_t>(i)]; };
   for (int i = 0; i < A && i < Result; ++i) {

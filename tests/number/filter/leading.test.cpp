@@ -49,6 +49,10 @@ TEST_CASE("leading: sums, products, quotients and roots keep their leading bits"
     wrong += is_within(leading_a + leading_b, a + b, 60) ? 0 : 1;
     wrong += is_within(leading_a * leading_b, a * b, 60) ? 0 : 1;
     if (b != 0) wrong += is_within(leading_a / leading_b, a / b, 56) ? 0 : 1;
+    if (a != 0 && b != 0) {
+      const BigRational quotient = value(over_root(leading_a, leading_b));
+      wrong += is_within(leading_a * leading_a / leading_b, quotient * quotient, 42) ? 0 : 1;
+    }
     const BigRational root = value(sqrt(leading_a));
     wrong += is_within(Leading(fixed<Long>(raw_a)), root * root, 42) ? 0 : 1;
     const int order = a < b ? -1 : a > b ? 1 : 0;

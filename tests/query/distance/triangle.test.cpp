@@ -82,5 +82,35 @@ TEST_CASE("distance, triangle: narrow and wide integers give the same result", "
   compare_widths<Fixed<20, 16>, 3>(0xd159);
 }
 
+TEST_CASE("distance, triangle: a height is rounded down exactly, on a step and next to one",
+          "[distance]") {
+  using Component = Fixed<30, 16>;
+  Random random(0xd15a);
+  INFO(random);
+  const auto vec = [](std::int64_t x, std::int64_t y, std::int64_t z) {
+    const auto raw = [](std::int64_t r) {
+      return Component::from_raw(static_cast<Component::raw_type>(r));
+    };
+    return Vec{raw(x), raw(y), raw(z)};
+  };
+  int wrong = 0, on_step = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    // Two vectors across (2, 3, 6), whose length is 7, and a point `height` times 7 along it.
+    const std::int64_t s = 1 + random.next() % 4096, t = 1 + random.next() % 4096;
+    const std::int64_t height = random.between(1, std::int64_t{1} << random.between(1, 24));
+    const std::int64_t off = i % 3 == 0 ? 0 : random.between(-1, 1);
+    const auto b = vec(3 * s, -2 * s, 0), c = vec(6 * t, off, -2 * t);
+    const auto p = vec(2 * height, 3 * height, 6 * height);
+    const auto found = detail::distance_from_face<q16_16>(b, c, p);
+    wrong += found == sqrt_floor<q16_16>(detail::squared_distance_from_face(b, c, p)) ? 0 : 1;
+    if (off != 0) continue;
+    ++on_step;
+    wrong += found == q16_16::from_raw(static_cast<q16_16::raw_type>(7 * height)) ? 0 : 1;
+  }
+  CHECK(wrong == 0);
+  CHECK(on_step > 5'000);
+  CHECK(detail::distance_from_face<q16_16>(vec(1, 2, 3), vec(3, 5, 1), vec(4, 7, 4)) == 0);
+}
+
 }  // namespace
 }  // namespace detent::test

@@ -100,6 +100,15 @@ struct Leading {
     return Leading(high, ((x.exponent + 1) >> 1) - 30);
   }
 
+  /// a / sqrt(square) with a relative error below 2^-43 (docs/filters.md, lemma 31); `square` must
+  /// not be 0.
+  [[nodiscard]] friend constexpr Leading over_root(const Leading& a,
+                                                   const Leading& square) noexcept {
+    const std::uint64_t even = square.word >> (square.exponent & 1);
+    const auto high = multiply_words(a.word, detail::reciprocal_root(even)).high;
+    return Leading(high, a.exponent - ((square.exponent + 1) >> 1) - 30);
+  }
+
   /// The number times 2^Frac, rounded down; the product must be below 2^62.
   template <int Frac>
   [[nodiscard]] constexpr std::int64_t scaled() const noexcept {
@@ -161,6 +170,18 @@ template <class T>
           highest >= word && floor(lowest) == floor(highest)};
 }
 
+/// The leading bits of a vector's squared length, with a relative error below 2^-59
+/// (docs/filters.md, lemma 31).
+template <int B, int F, std::size_t N>
+[[nodiscard]] constexpr Leading squared_leading(const std::array<Fixed<B, F>, N>& v) noexcept {
+  Leading squared;
+  for (const auto& c : v) {
+    const Leading component(abs(c));
+    squared = squared + component * component;
+  }
+  return squared;
+}
+
 /// p x - q y rounded to the nearest point of the grid of `T`, where |p x| and |q y| are at most 1
 /// and the error of their difference is below 2^-42.
 template <class T, int BX, int FX, int BY, int FY>
@@ -213,8 +234,7 @@ template <Number T, std::size_t N, Number L>
     }
   };
   if constexpr (127 < 2 * bits_of<T> + 2 || 127 < 2 * bits_of<L>) {
-    Leading squared;
-    for (const auto& c : v) squared = squared + Leading(abs(c)) * Leading(abs(c));
+    const Leading squared = squared_leading(v);
     const Leading limit = Leading(length) * Leading(length);
     return sign_or_exact(decide(difference(squared, limit, Relative{56})), exact);
   } else {

@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "detent/math/width.hpp"
+#include "detent/number/filter/filtered.hpp"
 #include "detent/query/kernel/common_point.hpp"
 #include "detent/query/kernel/least_common_point.hpp"
 #include "detent/query/kernel/line.hpp"
@@ -38,6 +40,28 @@ template <Scalar S, int N, class Body>
   return result;
 }
 
+/// Filter: the foot on a plane of a corner that is `above` it, times the length of the normal, whose
+/// square is `whole`; in numbers of 2^-24 steps of S (docs/filters.md, lemma 32).
+template <Scalar S, int N, int BC, int FC, int BA, int FA, int BW, int FW>
+[[nodiscard]] constexpr Decided<Vec<S, N>> decide_foot(const Vec<direction_component<S>, N>& n,
+                                                       const Vec<Fixed<BC, FC>, N>& corner,
+                                                       const Fixed<BA, FA>& above,
+                                                       const Fixed<BW, FW>& whole) noexcept {
+  using Value = Fixed<62, S::frac + 24>;
+  using Excess = Fixed<FW - 27, FW>;
+  const auto excess = whole - Fixed<FW + 1, FW>(1);
+  if (!fits<Excess::bits>(excess)) return {{}, false};
+  const auto height = narrow_floor<Value>(above);
+  const auto correction = narrow_floor<Value>(height * narrow<Excess::bits>(excess));
+  const auto down = narrow_difference<Value::bits>(height, correction);
+  return decide_point<S, N>(
+      [&](int i) {
+        return narrow_difference<Value::bits>(narrow_floor<Value>(corner[i]),
+                                              narrow_floor<Value>(n[i] * down));
+      },
+      Steps<32>());
+}
+
 /// The closest points of a plane and a body grown by a radius.
 template <Scalar S, int N, class Body>
 [[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_to_plane(
@@ -49,12 +73,15 @@ template <Scalar S, int N, class Body>
   const auto extreme = [&](bool farthest) {
     return body.template extreme<bits_of<Corner>>(n, from, farthest);
   };
-  const bool is_above = height(extreme(false)) > 0;
-  if (!is_above && !(height(extreme(true)) < 0)) {
-    const auto point = common_point_with_plane(plane, body);
-    return {point, point};
+  auto nearest = extreme(false);
+  const bool is_above = height(nearest) > 0;
+  if (!is_above) {
+    nearest = extreme(true);
+    if (!(height(nearest) < 0)) {
+      const auto point = common_point_with_plane(plane, body);
+      return {point, point};
+    }
   }
-  auto nearest = extreme(!is_above);
   body.template for_each_extreme<bits_of<Corner>>(n, from, !is_above, [&](const auto& corner) {
     if (is_before(corner, nearest)) nearest = corner;
   });
@@ -65,9 +92,19 @@ template <Scalar S, int N, class Body>
     if constexpr (is_on_grid) {
       return point_on_line(nearest, n, make_ratio_to_unit(narrow_negative(above), whole));
     } else {
-      return rounded<S>(RationalPoint{nearest * whole - n * above, whole});
+      const auto exact = [&] {
+        return rounded<S>(RationalPoint{nearest * whole - n * above, whole});
+      };
+      if constexpr (is_fixed<S> && filter_pays<S>) {
+        return or_exact(decide_foot<S>(n, nearest, above, whole), exact);
+      } else {
+        return exact();
+      }
     }
   }();
+  if constexpr (is_fixed<S> && !is_on_grid) {
+    if (radius == 0) return {on_plane, nearest_to<S>(nearest)};
+  }
   if (Fraction{square(above), whole} <= square(radius)) return {on_plane, on_plane};
   const auto to_plane = is_above ? narrow_negative(n) : n;
   if constexpr (is_on_grid) {

@@ -82,25 +82,44 @@ template <Scalar S, Number Radii, Number Over, Number Under>
   return Depth<S>(radii - gap);
 }
 
-/// Filter: |height| / |normal|, rounded up, from leading bits, with an error of 2^-41 of it at most
-/// (docs/filters.md, lemma 1).
-template <Scalar S, Number Height, Number Square>
-[[nodiscard]] constexpr Decided<Length<S>> decide_depth(const Height& height,
-                                                        const Square& squared_normal) noexcept {
-  const auto below = decide_floor<Length<S>>(
-      Approximate{Leading(abs(height)) / sqrt(Leading(squared_normal)), Relative{41}});
-  return {next_up(below.value), below.is_sure};
+/// height / sqrt(square_of()), rounded up, for a height >= 0. The exact quotient is within 2^-43 of
+/// `quotient` (docs/filters.md, lemma 31); a step that it might reach is compared exactly.
+template <Scalar S, Number Height, class Square>
+[[nodiscard]] constexpr Length<S> depth_near(const Leading& quotient, const Height& height,
+                                             const Square& square_of) noexcept {
+  const auto floor = decide_floor<Length<S>>(Approximate{quotient, Relative{43}});
+  if (floor.is_sure) return next_up(floor.value);
+  if (height == 0) return Length<S>(0);
+  const auto square_of_height = square(height);
+  if (floor.value > 0) {
+    const bool is_reached = square_of_height <= square(floor.value) * square_of();
+    return is_reached ? floor.value : next_up(floor.value);
+  }
+  return sqrt_ceil<Length<S>>(Fraction{square_of_height, square_of()});
 }
 
-/// The depth of shapes with these radii whose cores must move by height / |normal|.
+/// The depth of shapes with these radii whose cores must move by height / sqrt(squared_normal).
 template <Scalar S, Number Radii, Number Height, Number Square>
 [[nodiscard]] constexpr Depth<S> depth_of_height(const Radii& radii, const Height& height,
                                                  const Square& squared_normal) noexcept {
-  const auto exact = [&] { return sqrt_ceil<Length<S>>(Fraction{square(height), squared_normal}); };
   if constexpr (is_fixed<S>) {
-    return radii + or_exact(decide_depth<S>(height, squared_normal), exact);
+    const auto over = abs(height);
+    return radii + depth_near<S>(over_root(Leading(over), Leading(squared_normal)), over,
+                                 [&] { return squared_normal; });
   } else {
-    return radii + exact();
+    return radii + sqrt_ceil<Length<S>>(Fraction{square(height), squared_normal});
+  }
+}
+/// The same for a vector `normal`.
+template <Scalar S, Number Radii, Number Height, Number T, int N>
+[[nodiscard]] constexpr Depth<S> depth_of_height(const Radii& radii, const Height& height,
+                                                 const Vec<T, N>& normal) noexcept {
+  if constexpr (is_fixed<S>) {
+    const auto over = abs(height);
+    return radii + depth_near<S>(over_root(Leading(over), squared_leading(to_array(normal))), over,
+                                 [&] { return squared_length(normal); });
+  } else {
+    return depth_of_height<S>(radii, height, squared_length(normal));
   }
 }
 
@@ -114,6 +133,7 @@ template <Scalar S, int N, class Body, Number Radius>
   const auto squared = squared_length(plane.normal);
   std::optional<Result> result;
   if (lowest > 0 || highest < 0) {
+    if (is_fixed<S> && radius == 0) return result;
     const auto depth =
         depth_of_gap<S>(radius, Fraction{square(lowest > 0 ? lowest : highest), squared});
     if (depth) result = Result{lowest > 0 ? plane.normal : -plane.normal, *depth};
@@ -162,7 +182,7 @@ template <Scalar S, int N, Number Radius>
   using Span = std::remove_cvref_t<decltype(span)>;
   const auto pushed_by = [&](const auto& push) {
     return result(widened<Local>(push.normal),
-                  depth_of_height<S>(radius, push.height, squared_length(push.normal)));
+                  depth_of_height<S>(radius, push.height, push.normal));
   };
   const auto push = AxisPush<Difference, Slabs, Span>(slabs, span).least();
   if (push && push->height > 0) return pushed_by(*push);
@@ -182,7 +202,7 @@ template <Scalar S, class A, class B, Number Radii, class Filter, class F>
   using Normal = LongestNormal<Longest, N>;
   using Result = std::remove_cvref_t<decltype(f(Normal(), Depth<S>()))>;
   const auto depth_of = [&](const auto& push) {
-    return depth_of_height<S>(radii, push.height, squared_length(push.normal));
+    return depth_of_height<S>(radii, push.height, push.normal);
   };
   const auto found = [&](const auto& v, const Depth<S>& depth, auto... known) {
     return with_normal<Normal>(v, [&](const auto& normal) { return f(normal, depth, known...); });

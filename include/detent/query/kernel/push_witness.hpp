@@ -15,6 +15,7 @@
 #include "detent/number/root.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/expansion.hpp"
+#include "detent/query/kernel/side_filter.hpp"
 #include "detent/query/kernel/simplex.hpp"
 #include "detent/query/kernel/vec_list.hpp"
 
@@ -334,9 +335,10 @@ class PushWitness {
     push_.height = dot(push_.normal, x);
     if (!(push_.height > 0)) return false;
     const auto& pair = pairs_[facets_[i].corners[0]];
+    const SideFilter side(push_.normal);
     const auto level = [&](const auto& corners, std::size_t at, bool is_a, std::uint32_t& mask) {
       for (std::size_t k = 0; k < corners.size(); ++k) {
-        const auto along = dot(push_.normal, narrow<bits + 1>(corners[k] - corners[at]));
+        const int along = k == at ? 0 : side.sign(narrow<bits + 1>(corners[k] - corners[at]));
         if (is_a ? along > 0 : along < 0) return false;
         mask |= std::uint32_t{along == 0} << k;
       }
@@ -345,8 +347,9 @@ class PushWitness {
     if (!level(corners_a, pair.a, true, level_.a)) return false;
     if (!level(corners_b, pair.b, false, level_.b)) return false;
     // The exact distance, rounded up.
-    const auto distance = Leading(Fixed<bits_of<Height>, 0>::assume_raw(push_.height.raw())) /
-                          sqrt(Leading(as_integer(squared_length(push_.normal))));
+    const auto distance = over_root(
+        Leading(as_integer(push_.height)),
+        squared_leading(to_array(make_vec<3>([&](int k) { return as_integer(push_.normal[k]); }))));
     const int scale = distance.exponent + key_bits - dropped_;
     if (scale > -10 || scale < -63) return false;
     const auto steps = static_cast<Raw>(distance.word >> -scale);

@@ -207,9 +207,8 @@ template <Scalar S, class Point, Number V, int N>
 /// A coordinate rounded to nearest; unsure, too, if it is out of range.
 template <Scalar S, Number X, class Error>
 [[nodiscard]] constexpr Decided<S> decide_coordinate(const Approximate<X, Error>& x) noexcept {
-  auto result = decide_nearest<S>(x);
-  result.is_sure = result.is_sure && lowest<S> <= x.value && x.value <= largest<S>;
-  return result;
+  if (x.value < lowest<S> || largest<S> < x.value) return {S(), false};
+  return decide_nearest<S>(x);
 }
 /// The same for a point with the coordinates at(i), off by less than `error`.
 template <Scalar S, int N, class At, class Error>
