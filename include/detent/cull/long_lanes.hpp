@@ -146,6 +146,16 @@ class ArrayLongLanes {
     }
     return result;
   }
+  /// An integer within 2 of 2^50 a / sqrt(m), for a^2 <= m < 2^63 and m > 0.
+  [[nodiscard]] static ArrayLongLanes near_part(const ArrayLongLanes& a,
+                                                const ArrayLongLanes& m) noexcept {
+    ArrayLongLanes result;
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      const auto root = std::sqrt(static_cast<double>(m.words_[k]));
+      result.words_[k] = static_cast<LongWord>(static_cast<double>(a.words_[k]) * 0x1p50 / root);
+    }
+    return result;
+  }
 #endif
   /// The least lane, in every lane.
   [[nodiscard]] constexpr ArrayLongLanes least() const noexcept {
@@ -283,8 +293,11 @@ class VectorLongLanes {
     return rounded(a.real() * 0x1p30 / b.real());
   }
   [[nodiscard]] static VectorLongLanes near_root(const VectorLongLanes& a) noexcept {
-    const auto high = (a >> 31).real(), low = (a & VectorLongLanes(0x7fffffff)).real();
-    return rounded(root(high * 0x1p31 + low));
+    return rounded(root(a));
+  }
+  [[nodiscard]] static VectorLongLanes near_part(const VectorLongLanes& a,
+                                                 const VectorLongLanes& m) noexcept {
+    return rounded(a.real() * 0x1p50 / root(m));
   }
   [[nodiscard]] VectorLongLanes least() const noexcept {
     const auto lesser = [](const VectorLongLanes& a, const VectorLongLanes& b) {
@@ -333,7 +346,9 @@ class VectorLongLanes {
   static VectorLongLanes rounded(const Doubles& x) noexcept {
     return VectorLongLanes(__builtin_bit_cast(Words, x + 0x1.8p52) - converter);
   }
-  static Doubles root(const Doubles& x) noexcept {
+  static Doubles root(const VectorLongLanes& a) noexcept {
+    const auto high = (a >> 31).real(), low = (a & VectorLongLanes(0x7fffffff)).real();
+    const Doubles x = high * 0x1p31 + low;
 #if defined(__clang__) && __has_builtin(__builtin_elementwise_sqrt)
     return __builtin_elementwise_sqrt(x);
 #else

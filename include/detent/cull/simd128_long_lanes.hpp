@@ -106,10 +106,12 @@ class Simd128LongLanes {
             rounded(real(a.high_) * 0x1p30 / real(b.high_))};
   }
   [[nodiscard]] static Simd128LongLanes near_root(const Simd128LongLanes& a) noexcept {
-    const auto part = [](const Words& x) {
-      return rounded(root(real(x >> 31) * 0x1p31 + real(x & 0x7fffffff)));
-    };
-    return {part(a.low_), part(a.high_)};
+    return {rounded(root(a.low_)), rounded(root(a.high_))};
+  }
+  [[nodiscard]] static Simd128LongLanes near_part(const Simd128LongLanes& a,
+                                                  const Simd128LongLanes& m) noexcept {
+    return {rounded(real(a.low_) * 0x1p50 / root(m.low_)),
+            rounded(real(a.high_) * 0x1p50 / root(m.high_))};
   }
   [[nodiscard]] Simd128LongLanes least() const noexcept {
     const auto lesser = [](const Simd128LongLanes& a, const Simd128LongLanes& b) {
@@ -178,7 +180,8 @@ class Simd128LongLanes {
   static Words rounded(const Doubles& x) noexcept {
     return __builtin_bit_cast(Words, x + 0x1.8p52) - converter;
   }
-  static Doubles root(const Doubles& x) noexcept {
+  static Doubles root(const Words& a) noexcept {
+    const Doubles x = real(a >> 31) * 0x1p31 + real(a & 0x7fffffff);
 #if __has_builtin(__builtin_elementwise_sqrt)
     return __builtin_elementwise_sqrt(x);
 #else

@@ -241,6 +241,16 @@ class FourRounder {
     const auto part = nearest_long<Fixed<62, T::frac>>(Four<Fixed<62, T::frac + A::frac>, L>(rest));
     return checked<T>(Four<Fixed<62, T::frac>, L>((whole << 7) + part.raw));
   }
+  /// 2^30 a / sqrt(a^2 + b^2) rounded to nearest, for |a|, |b| < 2^31 and `squared`, their sum of
+  /// squares; 0 / 0 is 0. What is too close to a midpoint counts as out of range.
+  [[nodiscard]] constexpr L part_of_length(const L& a, const L& squared) noexcept {
+    const L one(LongWord{1});
+    const L m = L::select(L::above(one, squared), one, squared);
+    // In steps of 2^-50, with an error of at most 2: positive, and rounded down.
+    const L part = L::near_part(a, m) + L((LongWord{1} << 51) + (LongWord{1} << 19));
+    refuse_negative(((part + L(LongWord{2})) & L((LongWord{1} << 20) - 1)) - L(LongWord{5}));
+    return (part >> 20) - L(LongWord{1} << 31);
+  }
   /// Counts a negative number as out of range.
   constexpr void refuse_negative(const L& x) noexcept { beyond_ = beyond_ | (x >> 63); }
 

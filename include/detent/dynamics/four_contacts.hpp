@@ -18,6 +18,31 @@ struct FourContacts {
 
 DETENT_BEGIN_LONG_LANES
 
+/// `tangents` of four unit vectors.
+template <Scalar S, class L, class Normal>
+[[nodiscard]] std::array<Normal, 2> tangents_of_four(const Normal& n,
+                                                     FourRounder<L>& round) noexcept {
+  using Ratio = typename Formats<S>::Ratio;
+  using Side = Four<Ratio, L>;
+  const Side zero;
+  const auto negative = [&](const Side& x) { return narrow<Ratio::bits>(zero - x); };
+  const auto magnitude = [&](std::size_t i) { return larger(n[i], negative(n[i])); };
+  const auto x = magnitude(0), y = magnitude(1);
+  const L is_y = above(x, y), is_z = above(smaller(x, y), magnitude(2));
+  // Picks by the axis with the least component.
+  const auto pick = [&](const Side& in_x, const Side& in_y, const Side& in_z) {
+    return select(is_z, in_z, select(is_y, in_y, in_x));
+  };
+  const auto one = pick(n[2], n[0], n[1]), other = negative(pick(n[1], n[2], n[0]));
+  const auto squared = (one * one + other * other).raw;
+  const Side j(round.part_of_length(one.raw, squared)), k(round.part_of_length(other.raw, squared));
+  const Normal first{pick(zero, k, j), pick(j, zero, k), pick(k, j, zero)};
+  const auto about = [&](std::size_t p, std::size_t q) {
+    return round.template nearest<Ratio>(n[p] * first[q] - n[q] * first[p]);
+  };
+  return {first, Normal{about(1, 2), about(2, 0), about(0, 1)}};
+}
+
 /// Prepares contacts of bodies without locked axes, with the result of `prepare` and then `gather`.
 /// `group` has their first index and their number, `ready` their numbers of points and which bodies
 /// are pushed. Returns false if some number must be clamped; the group is then not ready.
@@ -182,15 +207,7 @@ template <class L, Scalar S>
     const L q = L::near_ratio(sum[c].raw, points << 30);
     return Four<Lever, L>(nearest_to_quotient(q, sum[c].raw - L::product(q, points), points));
   });
-  std::array<std::array<Quad<Ratio>, 3>, 2> across{};
-  for (std::size_t k = 0; k < size; ++k) {
-    const Vec<Ratio, 3> normal{group.normal.along[0][k], group.normal.along[1][k],
-                               group.normal.along[2][k]};
-    const auto both = tangents<S, 3>(normal);
-    for (std::size_t t = 0; t < 2; ++t) {
-      for (std::size_t c = 0; c < 3; ++c) across[t][c][k] = both[t][static_cast<int>(c)];
-    }
-  }
+  const auto across = tangents_of_four<S>(n, round);
   // Distances from the middle, and their ratios to the farthest. A single point is the middle.
   std::array<Four<Arm, L>, Group::capacity> distance{};
   Four<Arm, L> farthest;
@@ -211,7 +228,7 @@ template <class L, Scalar S>
     Four<Ratio, L>(nearest_ratio(distance[i].raw, larger(farthest, one).raw)).store(group.reach[i]);
   }
   for (std::size_t t = 0; t < 2; ++t) {
-    const auto u = three([&](std::size_t c) { return Four<Ratio, L>(across[t][c]); });
+    const auto& u = across[t];
     push_along(u, group.tangent[t]);
     row_at(middle, u, used, group.friction[t]);
   }
