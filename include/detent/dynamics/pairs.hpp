@@ -7,6 +7,8 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 #include "detent/dynamics/local.hpp"
 
@@ -183,7 +185,8 @@ constexpr void order_entries(Entries& entries, [[maybe_unused]] Entries& room,
 
 /// Calls found(pair) for all pairs of bodies whose bounds overlap, in no particular order: a sweep
 /// along the x axis in each strip. Overlapping bodies are both in the later of their first strips,
-/// and are reported there. `bodies` are in the order of a sweep; `lane` has room for as many indices.
+/// and are reported there. `bodies` are in the order of a sweep; `lane` has room for as many
+/// indices.
 template <Scalar S, int N, class Lane, class Found>
 constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, const Found& found) {
   const Strips<S, N> strips(bodies, count);
