@@ -23,8 +23,8 @@ echo '#include <vector>' >"$work/probe.cpp"
   { echo 'skipped: there is no clang 14 for wasm32-wasi'; exit 77; }
 
 objects=()
-for name in support/main.cpp cull/long_lanes.test.cpp dynamics/contact_group.test.cpp dynamics/four_contacts.test.cpp \
-    dynamics/four_flight.test.cpp dynamics/joint/four_joints.test.cpp; do
+for name in support/main.cpp cull/long_lanes.test.cpp dynamics/contact_group.test.cpp dynamics/four.test.cpp \
+    dynamics/four_contacts.test.cpp dynamics/four_flight.test.cpp dynamics/joint/four_joints.test.cpp; do
   objects+=("$work/$(basename "$name" .cpp).o")
   ${CMAKE_CXX_COMPILER_LAUNCHER:-} "${compile[@]}" -c "$tests/$name" -o "${objects[-1]}"
 done

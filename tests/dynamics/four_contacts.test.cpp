@@ -181,18 +181,4 @@ TEMPLATE_TEST_CASE("four contacts: prepared at once they have the bits of one af
   CHECK(prepared < rounds * 0.9);
 }
 
-TEST_CASE("four contacts: means of up to four numbers are rounded to nearest") {
-  using Sum = Fixed<34, F::Lever::frac>;
-  for (int count = 1; count <= 4; ++count) {
-    for (const std::int64_t middle :
-         {std::int64_t{0}, std::int64_t{count} << 30, -(std::int64_t{count} << 30)}) {
-      for (std::int64_t rest = -20; rest <= 20; ++rest) {
-        const auto sum = Sum::assume_raw(middle + rest);
-        REQUIRE(detail::mean_of<F::Lever>(sum, count) ==
-                quotient_nearest<F::Lever>(sum, detail::as_operand<F::Lever>(count)));
-      }
-    }
-  }
-}
-
 }  // namespace detent::test

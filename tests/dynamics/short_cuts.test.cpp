@@ -219,6 +219,10 @@ TEST_CASE("a strip sweep finds exactly the pairs whose bounds overlap") {
       }
     }
     std::vector<std::uint32_t> lane;
+    auto sorted = entries, room = entries;
+    detail::order_entries(sorted);
+    detail::order_entries(entries, room, lane);
+    for (std::size_t i = 0; i < entries.size(); ++i) REQUIRE(entries[i].body == sorted[i].body);
     detail::sweep(entries.data(), entries.size(), lane,
                   [&](const detail::BodyPair& pair) { found.push_back(pair); });
     std::sort(found.begin(), found.end());

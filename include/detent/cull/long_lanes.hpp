@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#if __STDC_HOSTED__
+#include <cmath>
+#endif
 
 #include "detent/cull/simd128_long_lanes.hpp"
 #include "detent/number/require_cxx20.hpp"
@@ -122,6 +125,38 @@ class ArrayLongLanes {
     }
     return result;
   }
+#if __STDC_HOSTED__
+  /// The integer nearest to 2^30 a / b or a neighbour of it: computed in `double`, so the caller
+  /// must decide by the remainder. All three are below 2^51 in magnitude; n / 0 is unspecified.
+  [[nodiscard]] static ArrayLongLanes near_ratio(const ArrayLongLanes& a,
+                                                 const ArrayLongLanes& b) noexcept {
+    ArrayLongLanes result;
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      const auto x = static_cast<double>(a.words_[k]), y = static_cast<double>(b.words_[k]);
+      result.words_[k] = rounded(x * 0x1p30 / y);
+    }
+    return result;
+  }
+  /// The same for sqrt(a), 0 <= a < 2^62.
+  [[nodiscard]] static ArrayLongLanes near_root(const ArrayLongLanes& a) noexcept {
+    ArrayLongLanes result;
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      result.words_[k] = rounded(std::sqrt(static_cast<double>(a.words_[k])));
+    }
+    return result;
+  }
+  /// An integer within 2 of 2^50 a / sqrt(m), for a^2 <= m < 2^63 and m > 0: m, its root and the
+  /// quotient lose less than 2.5 2^-52 of it, less than 0.7, and rounding at most 1.
+  [[nodiscard]] static ArrayLongLanes near_part(const ArrayLongLanes& a,
+                                                const ArrayLongLanes& m) noexcept {
+    ArrayLongLanes result;
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      const auto root = std::sqrt(static_cast<double>(m.words_[k]));
+      result.words_[k] = rounded(static_cast<double>(a.words_[k]) * 0x1p50 / root);
+    }
+    return result;
+  }
+#endif
   /// The least lane, in every lane.
   [[nodiscard]] constexpr ArrayLongLanes least() const noexcept {
     auto least = words_[0];
@@ -172,6 +207,13 @@ class ArrayLongLanes {
     return result;
   }
 
+#if __STDC_HOSTED__
+  /// To nearest; 0 for what does not fit.
+  static LongWord rounded(double x) noexcept {
+    return x > -0x1p62 && x < 0x1p62 ? static_cast<LongWord>(std::floor(x + 0.5)) : 0;
+  }
+#endif
+
   LongWords words_{};
 };
 
@@ -184,6 +226,7 @@ class VectorLongLanes {
   typedef std::int64_t Signed __attribute__((vector_size(32)));
   typedef std::int32_t Halves __attribute__((vector_size(32)));
   typedef std::int32_t Short __attribute__((vector_size(16)));
+  typedef double Doubles __attribute__((vector_size(32)));
   // In memory of any type. GCC copies bytes in halves of a vector, and loading the whole vector
   // then stalls.
   typedef std::uint64_t AnyWords __attribute__((vector_size(32), aligned(1), may_alias));
@@ -252,6 +295,17 @@ class VectorLongLanes {
                                               const VectorLongLanes& b) noexcept {
     return VectorLongLanes(__builtin_bit_cast(Signed, marks.words_) < 0 ? a.words_ : b.words_);
   }
+  [[nodiscard]] static VectorLongLanes near_ratio(const VectorLongLanes& a,
+                                                  const VectorLongLanes& b) noexcept {
+    return rounded(a.real() * 0x1p30 / b.real());
+  }
+  [[nodiscard]] static VectorLongLanes near_root(const VectorLongLanes& a) noexcept {
+    return rounded(root(a));
+  }
+  [[nodiscard]] static VectorLongLanes near_part(const VectorLongLanes& a,
+                                                 const VectorLongLanes& m) noexcept {
+    return rounded(a.real() * 0x1p50 / root(m));
+  }
   [[nodiscard]] VectorLongLanes least() const noexcept {
     const auto lesser = [](const VectorLongLanes& a, const VectorLongLanes& b) {
       return select(above(a, b), b, a);
@@ -262,7 +316,6 @@ class VectorLongLanes {
                   VectorLongLanes(__builtin_shufflevector(two.words_, two.words_, 1, 0, 3, 2)));
   }
   [[nodiscard]] std::uint32_t signs() const noexcept {
-    typedef double Doubles __attribute__((vector_size(32)));
     return static_cast<std::uint32_t>(
         __builtin_ia32_movmskpd256(__builtin_bit_cast(Doubles, words_)));
   }
@@ -290,6 +343,25 @@ class VectorLongLanes {
 
  private:
   explicit VectorLongLanes(const Words& words) noexcept : words_(words) {}
+
+  // A double in [2^52, 2^53) is its last bits plus 2^52: integers below 2^51 in magnitude are
+  // converted by adding 3 2^51.
+  static constexpr std::uint64_t converter = 0x4338000000000000;
+  Doubles real() const noexcept {
+    return __builtin_bit_cast(Doubles, words_ + converter) - 0x1.8p52;
+  }
+  static VectorLongLanes rounded(const Doubles& x) noexcept {
+    return VectorLongLanes(__builtin_bit_cast(Words, x + 0x1.8p52) - converter);
+  }
+  static Doubles root(const VectorLongLanes& a) noexcept {
+    const auto high = (a >> 31).real(), low = (a & VectorLongLanes(0x7fffffff)).real();
+    const Doubles x = high * 0x1p31 + low;
+#if defined(__clang__) && __has_builtin(__builtin_elementwise_sqrt)
+    return __builtin_elementwise_sqrt(x);
+#else
+    return __builtin_ia32_sqrtpd256(x);
+#endif
+  }
 
   static std::array<VectorLongLanes, 4> transposed(
       const std::array<VectorLongLanes, 4>& m) noexcept {

@@ -23,6 +23,7 @@ class Simd128LongLanes {
   typedef std::uint64_t Words __attribute__((vector_size(16)));
   typedef std::int64_t Signed __attribute__((vector_size(16)));
   typedef std::int32_t Halves __attribute__((vector_size(16)));
+  typedef double Doubles __attribute__((vector_size(16)));
   typedef std::int8_t Bytes __attribute__((vector_size(16)));
   typedef std::uint64_t AnyWords __attribute__((vector_size(16), aligned(1), may_alias));
   static constexpr std::size_t count = 4;
@@ -99,6 +100,19 @@ class Simd128LongLanes {
     };
     return {part(marks.low_, a.low_, b.low_), part(marks.high_, a.high_, b.high_)};
   }
+  [[nodiscard]] static Simd128LongLanes near_ratio(const Simd128LongLanes& a,
+                                                   const Simd128LongLanes& b) noexcept {
+    return {rounded(real(a.low_) * 0x1p30 / real(b.low_)),
+            rounded(real(a.high_) * 0x1p30 / real(b.high_))};
+  }
+  [[nodiscard]] static Simd128LongLanes near_root(const Simd128LongLanes& a) noexcept {
+    return {rounded(root(a.low_)), rounded(root(a.high_))};
+  }
+  [[nodiscard]] static Simd128LongLanes near_part(const Simd128LongLanes& a,
+                                                  const Simd128LongLanes& m) noexcept {
+    return {rounded(real(a.low_) * 0x1p50 / root(m.low_)),
+            rounded(real(a.high_) * 0x1p50 / root(m.high_))};
+  }
   [[nodiscard]] Simd128LongLanes least() const noexcept {
     const auto lesser = [](const Simd128LongLanes& a, const Simd128LongLanes& b) {
       return select(above(a, b), b, a);
@@ -156,6 +170,23 @@ class Simd128LongLanes {
   explicit Simd128LongLanes(const Halves& x) noexcept : halves_(x) {
     asm("local.get %1\n i64x2.extend_low_i32x4_s\n local.set %0" : "=r"(low_) : "r"(x));
     asm("local.get %1\n i64x2.extend_high_i32x4_s\n local.set %0" : "=r"(high_) : "r"(x));
+  }
+
+  // Conversions as in `VectorLongLanes`.
+  static constexpr std::uint64_t converter = 0x4338000000000000;
+  static Doubles real(const Words& x) noexcept {
+    return __builtin_bit_cast(Doubles, x + converter) - 0x1.8p52;
+  }
+  static Words rounded(const Doubles& x) noexcept {
+    return __builtin_bit_cast(Words, x + 0x1.8p52) - converter;
+  }
+  static Doubles root(const Words& a) noexcept {
+    const Doubles x = real(a >> 31) * 0x1p31 + real(a & 0x7fffffff);
+#if __has_builtin(__builtin_elementwise_sqrt)
+    return __builtin_elementwise_sqrt(x);
+#else
+    return __builtin_wasm_sqrt_f64x2(x);
+#endif
   }
 
   static Words first_of(const Words& a, const Words& b) noexcept {

@@ -138,6 +138,38 @@ struct FourLongSum {
   }
 };
 
+/// n / b rounded to nearest, ties to even, given q: it or a neighbour. `rest` is n - q b; b > 0 and
+/// `rest` are below 2^61.
+template <class L>
+[[nodiscard]] constexpr L nearest_to_quotient(const L& q, const L& rest, const L& b) noexcept {
+  const L twice = rest + rest, odd = q & L(LongWord{1});
+  // |2 rest| > b, or = b with an odd q.
+  const L up = L::above(twice + odd, b), down = L::above(L(LongWord{0}) - b, twice - odd);
+  return (q - up) + down;
+}
+/// 2^30 a / b rounded to nearest, for 0 <= a <= b < 2^51; 0 / 0 is unspecified.
+template <class L>
+[[nodiscard]] L nearest_ratio(const L& a, const L& b) noexcept {
+  const L q = L::near_ratio(a, b);  // at most 2^30 + 1
+  const L whole = (L::product(q, b >> 31) << 31) + L::product(q, b & L(LongWord{0x7fffffff}));
+  return nearest_to_quotient(q, (a << 30) - whole, b);
+}
+/// The effective mass of a row whose bodies give these: 1 / (1 + a + b), as `effective_mass`
+/// without locked axes. What `nearest_long` returns is below 2^50, so the sum is below 2^51.
+template <class Ratio, class Give, class L>
+[[nodiscard]] Four<Ratio, L> mass_of(const Four<Give, L>& a, const Four<Give, L>& b) noexcept {
+  static_assert(Ratio::frac == 30 && Give::frac == 30);
+  const L one(LongWord{1} << 30);
+  return Four<Ratio, L>(nearest_ratio(one, one + (a.raw + b.raw)));
+}
+/// floor(sqrt(x)) for 0 <= x < 2^62.
+template <class L>
+[[nodiscard]] L root_floor_of(const L& x) noexcept {
+  const L root = L::near_root(x);
+  const L rest = x - L::product(root, root);
+  return (root + L::above(L(LongWord{0}), rest)) - L::above(rest, root + root);
+}
+
 /// Rounds, and notes whether any number is outside the range of its type. If so, the caller must
 /// discard everything computed and use the slower functions that clamp.
 template <class L>
@@ -208,6 +240,16 @@ class FourRounder {
     }
     const auto part = nearest_long<Fixed<62, T::frac>>(Four<Fixed<62, T::frac + A::frac>, L>(rest));
     return checked<T>(Four<Fixed<62, T::frac>, L>((whole << 7) + part.raw));
+  }
+  /// 2^30 a / sqrt(a^2 + b^2) rounded to nearest, for |a|, |b| < 2^31 and `squared`, their sum of
+  /// squares; 0 / 0 is 0. What is too close to a midpoint counts as out of range.
+  [[nodiscard]] constexpr L part_of_length(const L& a, const L& squared) noexcept {
+    const L one(LongWord{1});
+    const L m = L::select(L::above(one, squared), one, squared);
+    // In steps of 2^-50, with an error of at most 2: positive, and rounded down.
+    const L part = L::near_part(a, m) + L((LongWord{1} << 51) + (LongWord{1} << 19));
+    refuse_negative(((part + L(LongWord{2})) & L((LongWord{1} << 20) - 1)) - L(LongWord{5}));
+    return (part >> 20) - L(LongWord{1} << 31);
   }
   /// Counts a negative number as out of range.
   constexpr void refuse_negative(const L& x) noexcept { beyond_ = beyond_ | (x >> 63); }

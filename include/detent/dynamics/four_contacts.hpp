@@ -16,23 +16,32 @@ struct FourContacts {
   Quad<typename F::Ratio> share_a{}, share_b{};
 };
 
-/// The mean of up to four numbers with this sum, rounded to nearest.
-template <class T, int B>
-[[nodiscard]] constexpr T mean_of(const Fixed<B, T::frac>& sum, int count) noexcept {
-  const auto x = sum.raw();
-  switch (count) {
-    case 1:
-      return narrow<T::bits>(sum);
-    case 2:
-      return T::assume_raw(static_cast<typename T::raw_type>((x + (x >> 1 & 1)) >> 1));
-    case 4:
-      return T::assume_raw(static_cast<typename T::raw_type>((x + 1 + (x >> 2 & 1)) >> 2));
-    default:
-      return quotient_nearest<T>(sum, as_operand<T>(count));
-  }
-}
-
 DETENT_BEGIN_LONG_LANES
+
+/// `tangents` of four unit vectors.
+template <Scalar S, class L, class Normal>
+[[nodiscard]] std::array<Normal, 2> tangents_of_four(const Normal& n,
+                                                     FourRounder<L>& round) noexcept {
+  using Ratio = typename Formats<S>::Ratio;
+  using Side = Four<Ratio, L>;
+  const Side zero;
+  const auto negative = [&](const Side& x) { return narrow<Ratio::bits>(zero - x); };
+  const auto magnitude = [&](std::size_t i) { return larger(n[i], negative(n[i])); };
+  const auto x = magnitude(0), y = magnitude(1);
+  const L is_y = above(x, y), is_z = above(smaller(x, y), magnitude(2));
+  // Picks by the axis with the least component.
+  const auto pick = [&](const Side& in_x, const Side& in_y, const Side& in_z) {
+    return select(is_z, in_z, select(is_y, in_y, in_x));
+  };
+  const auto one = pick(n[2], n[0], n[1]), other = negative(pick(n[1], n[2], n[0]));
+  const auto squared = (one * one + other * other).raw;
+  const Side j(round.part_of_length(one.raw, squared)), k(round.part_of_length(other.raw, squared));
+  const Normal first{pick(zero, k, j), pick(j, zero, k), pick(k, j, zero)};
+  const auto about = [&](std::size_t p, std::size_t q) {
+    return round.template nearest<Ratio>(n[p] * first[q] - n[q] * first[p]);
+  };
+  return {first, Normal{about(1, 2), about(2, 0), about(0, 1)}};
+}
 
 /// Prepares contacts of bodies without locked axes, with the result of `prepare` and then `gather`.
 /// `group` has their first index and their number, `ready` their numbers of points and which bodies
@@ -145,16 +154,11 @@ template <class L, Scalar S>
     return larger(round.template nearest_long<Give>(whole), Four<Give, L>());
   };
   const auto complete = [&](const Moments& turn_a, const Moments& turn_b,
-                            typename Group::Lever& lever, const auto& is_in) {
+                            typename Group::Lever& lever, const L& mask) {
     const auto give_a = respond(turn_a, spread_a, lever.moment_a, lever.response_a);
     const auto give_b = respond(turn_b, spread_b, lever.moment_b, lever.response_b);
-    Quad<Fixed<62, Give::frac>> whole;
-    (Four<Give, L>(Give(1)) + (give_a + give_b)).store(whole);
-    for (std::size_t k = 0; k < lanes; ++k) {
-      lever.mass[k] = is_in(k) ? quotient_nearest<Ratio>(Ratio(1), whole[k]) : Ratio{};
-    }
+    masked(mass_of<Ratio>(give_a, give_b), mask).store(lever.mass);
   };
-  const auto is_used = [&](std::size_t k) { return k < size; };
 
   const auto n = out_of_a(three([&](std::size_t i) {
     return masked(
@@ -171,23 +175,24 @@ template <class L, Scalar S>
       return round.template checked<Arm>(Four<Fixed<62, Arm::frac>, L>(p[i].raw & mask));
     });
   };
-  const auto row_at = [&](const auto& p, const auto& u, const L& mask, typename Group::Lever& lever,
-                          const auto& is_in) {
+  const auto row_at = [&](const auto& p, const auto& u, const L& mask,
+                          typename Group::Lever& lever) {
     const auto from_b = three([&](std::size_t i) { return p[i] - offset[i]; });
     complete(moment(arms(p, mask_a & mask), u), moment(arms(from_b, mask_b & mask), u), lever,
-             is_in);
+             mask);
   };
-  using Levers = std::array<Quad<Lever>, 3>;
+  using Levers = std::array<Four<Lever, L>, 3>;
   std::array<Levers, Group::capacity> at;
+  std::array<Four<Fixed<62, Lever::frac>, L>, 3> sum{};
   for (std::size_t i = 0; i < group.count; ++i) {
-    const auto is_in = [&](std::size_t k) { return static_cast<int>(i) < count[k]; };
-    const L mask = mask_of(is_in);
+    const L mask = mask_of([&](std::size_t k) { return static_cast<int>(i) < count[k]; });
     const auto point = [&](std::size_t k) -> const auto& { return from.manifold[k]->points[i]; };
     const auto p = out_of_a(three([&](std::size_t c) {
       return masked(each([&](std::size_t k) { return point(k).point[static_cast<int>(c)]; }), mask);
     }));
-    store(p, at[i]);
-    row_at(p, n, mask, group.pressure[i], is_in);
+    at[i] = p;
+    for (std::size_t c = 0; c < 3; ++c) sum[c] = sum[c] + p[c];
+    row_at(p, n, mask, group.pressure[i]);
     const auto separation =
         masked(each([&](std::size_t k) { return Gap(point(k).separation); }), mask);
     const auto gap = round.template checked<Speed>(
@@ -196,49 +201,43 @@ template <class L, Scalar S>
     gap.store(group.gap_now[i]);
   }
 
-  Levers middle{};
-  std::array<std::array<Quad<Ratio>, 3>, 2> across{};
-  Quad<Arm> farthest{};
-  for (std::size_t i = 0; i < group.count; ++i) group.reach[i] = {};
-  for (std::size_t k = 0; k < size; ++k) {
-    const auto points = static_cast<std::size_t>(count[k]);
-    Vec<Lever, 3> center;
+  const L points(LongWords{(std::max)(count[0], 1), (std::max)(count[1], 1),
+                           (std::max)(count[2], 1), (std::max)(count[3], 1)});
+  const Levers middle = three([&](std::size_t c) {  // of points that are not used: 0
+    const L q = L::near_ratio(sum[c].raw, points << 30);
+    return Four<Lever, L>(nearest_to_quotient(q, sum[c].raw - L::product(q, points), points));
+  });
+  const auto across = tangents_of_four<S>(n, round);
+  // Distances from the middle, and their ratios to the farthest. A single point is the middle.
+  std::array<Four<Arm, L>, Group::capacity> distance{};
+  Four<Arm, L> farthest;
+  for (std::size_t i = 0; i < group.count; ++i) {
+    const L mask = mask_of([&](std::size_t k) { return static_cast<int>(i) < count[k]; });
+    Four<Fixed<62, 2 * Lever::frac>, L> squared;
     for (std::size_t c = 0; c < 3; ++c) {
-      auto sum = narrow<34>(at[0][c][k] + Lever());
-      for (std::size_t i = 1; i < points; ++i) sum = narrow<34>(sum + at[i][c][k]);
-      center[static_cast<int>(c)] = middle[c][k] = mean_of<Lever>(sum, count[k]);
+      const auto d =
+          round.template checked<Fixed<30, Lever::frac>>(masked(at[i][c] - middle[c], mask));
+      squared = squared + d * d;
     }
-    const Vec<Ratio, 3> normal{group.normal.along[0][k], group.normal.along[1][k],
-                               group.normal.along[2][k]};
-    const auto both = tangents<S, 3>(normal);
-    for (std::size_t t = 0; t < 2; ++t) {
-      for (std::size_t c = 0; c < 3; ++c) across[t][c][k] = both[t][static_cast<int>(c)];
-    }
-    if (points == 1) continue;  // it is the middle
-    std::array<Arm, Group::capacity> distance{};
-    for (std::size_t i = 0; i < points; ++i) {
-      const Vec<Lever, 3> p{at[i][0][k], at[i][1][k], at[i][2][k]};
-      distance[i] = sqrt_floor<Arm>(squared_length(p - center));
-      farthest[k] = (std::max)(farthest[k], distance[i]);
-    }
-    for (std::size_t i = 0; i < points; ++i) {
-      group.reach[i][k] =
-          farthest[k] == 0 ? Ratio{} : quotient_nearest<Ratio>(distance[i], farthest[k]);
-    }
+    distance[i] =
+        round.template checked<Arm>(Four<Fixed<62, Arm::frac>, L>(root_floor_of(squared.raw)));
+    farthest = larger(farthest, distance[i]);
   }
-  const auto from_middle = three([&](std::size_t c) { return Four<Lever, L>(middle[c]); });
+  const Four<Arm, L> one(Arm::assume_raw(1));
+  for (std::size_t i = 0; i < group.count; ++i) {
+    Four<Ratio, L>(nearest_ratio(distance[i].raw, larger(farthest, one).raw)).store(group.reach[i]);
+  }
   for (std::size_t t = 0; t < 2; ++t) {
-    const auto u = three([&](std::size_t c) { return Four<Ratio, L>(across[t][c]); });
+    const auto& u = across[t];
     push_along(u, group.tangent[t]);
-    row_at(from_middle, u, used, group.friction[t], is_used);
+    row_at(middle, u, used, group.friction[t]);
   }
-  const Four<Arm, L> lever(farthest);
   const auto twist =
-      three([&](std::size_t i) { return round.template nearest<Moment>(lever * n[i]); });
+      three([&](std::size_t i) { return round.template nearest<Moment>(farthest * n[i]); });
   const auto twist_of = [&](const L& mask) {
     return three([&](std::size_t i) { return masked(twist[i], mask); });
   };
-  complete(twist_of(mask_a), twist_of(mask_b), group.twist, is_used);
+  complete(twist_of(mask_a), twist_of(mask_b), group.twist, used);
   if (round.is_beyond()) return false;
 
   group.has_rows = false;

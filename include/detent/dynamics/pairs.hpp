@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 #include "detent/dynamics/local.hpp"
 
@@ -45,6 +48,37 @@ struct SweepEntry {
   std::uint8_t first_strip = 0, last_strip = 0;
 };
 
+/// Sorts by counting on a fixed-point coordinate: `from`, which has `count` elements, into `to`.
+/// Buckets are equally wide, and each is sorted; `ends` has room for the number of buckets, a power
+/// of 2. Faster than a comparison sort, whose branches are unpredictable.
+template <class T, class Ends, class Coordinate, class Before>
+constexpr void sort_by(const T* from, T* to, std::size_t count, Ends& ends, std::size_t buckets,
+                       const Coordinate& coordinate, const Before& before) {
+  const auto word = [&](const T& x) { return static_cast<std::uint64_t>(coordinate(x).raw()); };
+  auto least = coordinate(from[0]), most = least;
+  for (std::size_t i = 1; i < count; ++i) {
+    const auto x = coordinate(from[i]);
+    least = (std::min)(least, x);
+    most = (std::max)(most, x);
+  }
+  const auto origin = static_cast<std::uint64_t>(least.raw());
+  const auto width = std::bit_width(static_cast<std::uint64_t>(most.raw()) - origin);
+  const auto bits = std::bit_width(buckets) - 1;
+  const int shift = width > bits ? static_cast<int>(width - bits) : 0;
+  const auto bucket_of = [&](const T& x) {
+    return static_cast<std::size_t>((word(x) - origin) >> shift);
+  };
+  for (std::size_t k = 0; k < buckets; ++k) ends[k] = 0;
+  for (std::size_t i = 0; i < count; ++i) ++ends[bucket_of(from[i])];
+  std::uint32_t end = 0;
+  for (std::size_t k = 0; k < buckets; ++k) ends[k] = end += ends[k];
+  for (std::size_t i = count; i-- > 0;) to[--ends[bucket_of(from[i])]] = from[i];
+  for (std::size_t k = 0; k < buckets; ++k) {  // they now begin where `ends` says
+    const std::size_t begin = ends[k], next = k + 1 < buckets ? ends[k + 1] : count;
+    if (next - begin > 1) std::sort(to + begin, to + next, before);
+  }
+}
+
 /// Strips across the world along one axis other than x, with about equally many bodies in each. A
 /// body is in all strips from that of its least coordinate to that of its greatest.
 template <Scalar S, int N>
@@ -63,7 +97,15 @@ class Strips {
       for (std::size_t i = 0; i < sample_size; ++i) {
         sample[i] = bodies[i * count / sample_size].bounds.least[axis];
       }
-      std::sort(sample.begin(), sample.end());
+      if constexpr (is_fixed<S>) {
+        std::array<std::uint32_t, sample_size> bucket_ends{};
+        const auto from = sample;
+        sort_by(
+            from.data(), sample.data(), sample_size, bucket_ends, sample_size,
+            [](const Bound& x) { return x; }, [](const Bound& x, const Bound& y) { return x < y; });
+      } else {
+        std::sort(sample.begin(), sample.end());
+      }
       const auto width = nearest_to<Bound>(sample[3 * sample_size / 4] - sample[sample_size / 4]);
       if (axis > 1 && width <= widest) continue;
       widest = width;
@@ -110,15 +152,43 @@ constexpr void order_pairs(Pairs& pairs, Pairs& room, Ends& ends, std::size_t bo
   by(room, pairs, &BodyPair::a);
 }
 
-/// Calls found(pair) for all pairs of bodies whose bounds overlap, in no particular order: a sweep
-/// along the x axis in each strip. Overlapping bodies are both in the later of their first strips,
-/// and are reported there. Sorts `bodies`; `lane` has room for as many indices.
-template <Scalar S, int N, class Lane, class Found>
-constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, const Found& found) {
-  std::sort(bodies, bodies + count, [](const auto& p, const auto& q) {
+/// The order of a sweep: by x, then by body.
+struct IsBeforeInSweep {
+  template <class Entry>
+  constexpr bool operator()(const Entry& p, const Entry& q) const noexcept {
     if (p.bounds.least.x != q.bounds.least.x) return p.bounds.least.x < q.bounds.least.x;
     return p.body < q.body;
-  });
+  }
+};
+
+template <class Entries>
+constexpr void order_entries(Entries& entries) {
+  std::sort(&entries[0], &entries[0] + entries.size(), IsBeforeInSweep());
+}
+/// The same by counting, for many entries in fixed point. `room` and `ends` are overwritten.
+template <class Entries, class Ends>
+constexpr void order_entries(Entries& entries, [[maybe_unused]] Entries& room,
+                             [[maybe_unused]] Ends& ends) {
+  const auto x_of = [](const auto& entry) { return entry.bounds.least.x; };
+  if constexpr (is_fixed<std::remove_cvref_t<decltype(x_of(entries[0]))>>) {
+    const auto count = entries.size();
+    if (count > 32) {
+      room.resize(count);
+      ends.resize(count);
+      sort_by(&entries[0], &room[0], count, ends, std::bit_floor(count), x_of, IsBeforeInSweep());
+      std::swap(entries, room);
+      return;
+    }
+  }
+  order_entries(entries);
+}
+
+/// Calls found(pair) for all pairs of bodies whose bounds overlap, in no particular order: a sweep
+/// along the x axis in each strip. Overlapping bodies are both in the later of their first strips,
+/// and are reported there. `bodies` are in the order of a sweep; `lane` has room for as many
+/// indices.
+template <Scalar S, int N, class Lane, class Found>
+constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, const Found& found) {
   const Strips<S, N> strips(bodies, count);
   for (std::size_t i = 0; i < count; ++i) {
     bodies[i].first_strip = strips.first_of(bodies[i].bounds);
@@ -137,7 +207,9 @@ constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, co
     std::array<BodyPair, 64> met{};
     std::size_t met_size = 0;
     const auto report = [&] {
-      for (std::size_t k = 0; k < met_size; ++k) found(met[k]);
+      for (std::size_t k = 0; k < met_size; ++k) {
+        found(BodyPair{(std::min)(met[k].a, met[k].b), (std::max)(met[k].a, met[k].b)});
+      }
       met_size = 0;
     };
     for (std::size_t i = 0; i < size; ++i) {
@@ -151,7 +223,7 @@ constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, co
           meets &= static_cast<unsigned>(second.bounds.least[k] <= first.bounds.most[k]) &
                    static_cast<unsigned>(first.bounds.least[k] <= second.bounds.most[k]);
         }
-        met[met_size] = {(std::min)(first.body, second.body), (std::max)(first.body, second.body)};
+        met[met_size] = {first.body, second.body};
         met_size += meets;
         if (met_size == met.size()) report();
       }

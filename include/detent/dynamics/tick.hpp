@@ -296,6 +296,12 @@ class Tick {
            static_cast<std::uint32_t>(i)});
     }
     if (swept_.size() == 0) return;
+    constexpr bool has_room = requires { Storage::is_growing; };
+    if constexpr (has_room) {
+      order_entries(swept_, unordered_entries_, lane_);
+    } else {
+      order_entries(swept_);
+    }
     sweep(&swept_[0], swept_.size(), lane_, [&](const BodyPair& pair) {
       const Body &a = bodies[pair.a], &b = bodies[pair.b];
       if (meet(a, b) && (a.can_move() || b.can_move()) && !group_.keeps_apart(pair) &&
@@ -303,7 +309,7 @@ class Tick {
         pairs_.push_back(pair);
       }
     });
-    if constexpr (requires { Storage::is_growing; }) {
+    if constexpr (has_room) {
       if (pairs_.size() > 32) {
         order_pairs(pairs_, unordered_pairs_, lane_, bodies.size());
         return;
@@ -1106,7 +1112,8 @@ class Tick {
   List<SweepEntry<S, N>, bodies_room> swept_;
   List<std::uint32_t, bodies_room> lane_;
   List<BodyPair, pair_room> pairs_;
-  List<BodyPair, 0> unordered_pairs_;  // for growing worlds
+  List<SweepEntry<S, N>, 0> unordered_entries_;  // for growing worlds
+  List<BodyPair, 0> unordered_pairs_;            // for growing worlds
   Search found_;
   List<Search, 0> searches_;  // for growing worlds, on several threads
   List<ReadyContact<S, N>, contacts_room> ready_;

@@ -296,10 +296,10 @@ template <class T, int BN, int FN, int BD, int FD>
   auto [quotient, remainder] = Grid::divide(n, d, divisor);
   const auto to_next = wrapping_subtract<Integer>(divisor, remainder);
   const bool odd = !low_bits_are_zero(quotient, 1);
-  if (remainder > to_next || (remainder == to_next && odd)) {
-    quotient = wrapping_add<Integer>(quotient, Integer(1));
-  }
-  return detail::clamp_raw<T>(quotient);
+  const bool is_above = remainder > to_next, is_tie = remainder == to_next;
+  // Without a branch, because it is unpredictable which way a quotient is rounded.
+  const bool is_up = is_above | (is_tie & odd);
+  return detail::clamp_raw<T>(wrapping_add<Integer>(quotient, Integer(is_up ? 1 : 0)));
 }
 
 /// Quotients with a built-in integer on one or both sides, such as quotient_nearest<q16_16>(1, 3).

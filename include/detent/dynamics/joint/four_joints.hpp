@@ -238,12 +238,7 @@ template <class L, Scalar S, std::size_t Turns>
     const auto between =
         round.template checked<Reach>((b.place[i] - a.place[i]) + (from_b[i] - from_a[i]));
     round.template checked<typename F::Speed>(between).store(joints.gap[i]);
-    Quad<Fixed<62, Give::frac>> whole;
-    (Four<Give, L>(Give(1)) + (give_a[i] + give_b[i])).store(whole);
-    for (std::size_t k = 0; k < long_lane_count; ++k) {
-      constexpr auto least = dyadic<S>(1 << 24);  // as in `complete`
-      joints.mass[i][k] = whole[k] < least ? Ratio{} : quotient_nearest<Ratio>(Ratio(1), whole[k]);
-    }
+    mass_of<Ratio>(give_a[i], give_b[i]).store(joints.mass[i]);
   }
   return !round.is_beyond();
 }

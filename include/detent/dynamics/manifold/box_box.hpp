@@ -51,6 +51,12 @@ struct FaceAxes {
   const Vec<typename Formats<S>::Lever, N>& b;
 };
 
+/// A gap on the grid of exact separations.
+template <Scalar S, class Gap = typename Formats<S>::Gap>
+[[nodiscard]] constexpr auto exact_span(const Gap& gap) noexcept {
+  return narrow_product<FaceAxes<S, 3>::bits>(gap, typename Formats<S>::Ratio(1));
+}
+
 /// The axis of greatest separation of two boxes: 0 to N - 1 for a's, N to 2 N - 1 for b's, and in
 /// 3D 2 N + 3 i + j for the edges along axis i of a and axis j of b.
 template <Scalar S>
@@ -71,15 +77,18 @@ template <Scalar S, int N>
     const auto s = axes.of_a(i);
     if (s > best) best = s, index = i;
   }
-  if (best > margin) return {};
+  const auto most = exact_span<S>(margin);
+  if (best > most) return {};
   auto best_of_b = axes.of_b(0);
   int index_of_b = 0;
   for (int j = 1; j < N; ++j) {
     const auto s = axes.of_b(j);
     if (s > best_of_b) best_of_b = s, index_of_b = j;
   }
-  if (best_of_b > margin) return {};
-  if (best_of_b > best + Formats::tolerance) {
+  if (best_of_b > most) return {};
+  // `best` is at most the margin.
+  const auto least = narrow_sum<FaceAxes<S, N>::bits>(best, exact_span<S>(Formats::tolerance));
+  if (best_of_b > least) {
     best = best_of_b;
     index = N + index_of_b;
   }
@@ -160,6 +169,40 @@ template <Scalar S, int N>
       view.axis);
 }
 
+/// The corners of the incident face, in order. In fixed point each product is computed once: sums
+/// are exact, so their order does not matter. Partial sums have the bounds of the whole.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto incident_face(const FaceAxes<S, N>& axes,
+                                           const FaceView<S, N>& view) noexcept {
+  using Corner = typename ContactFormats<S>::Corner;
+  ClippedFace<Corner, N> face;
+  if constexpr (is_fixed<S> && N == 3) {
+    constexpr int bits = FaceAxes<S, 3>::bits;
+    const auto& half = view.of_b ? axes.a : axes.b;
+    const int m = view.other_axis, m1 = m == 2 ? 0 : m + 1, m2 = m == 0 ? 2 : m - 1;
+    std::array<Vec<Corner, 3>, 4> corners;
+    for (int c = 0, k = view.axis; c < 3; ++c, k = k == 2 ? 0 : k + 1) {
+      const auto part = [&](int i) {
+        return narrow_product<bits>(view.entry(axes.pose, k, i), half[i]);
+      };
+      const auto center =
+          view.of_b ? narrow_negative(axes.along_b(k)) : exact_span<S>(axes.pose.translation[k]);
+      const auto x = part(m), y = part(m1), z = part(m2);
+      const auto middle =
+          view.other_negative ? narrow_difference<bits>(center, x) : narrow_sum<bits>(center, x);
+      const auto right = narrow_sum<bits>(middle, y), left = narrow_difference<bits>(middle, y);
+      corners[0][c] = nearest_to<Corner>(narrow_sum<bits>(right, z));
+      corners[1][c] = nearest_to<Corner>(narrow_sum<bits>(left, z));
+      corners[2][c] = nearest_to<Corner>(narrow_difference<bits>(left, z));
+      corners[3][c] = nearest_to<Corner>(narrow_difference<bits>(right, z));
+    }
+    for (int v = 0; v < 4; ++v) face.add(corners[static_cast<std::size_t>(v)], v);
+  } else {
+    for (int v = 0; v < face.corners; ++v) face.add(incident_corner(axes, view, v), v);
+  }
+  return face;
+}
+
 /// The point midway between the surfaces, in the frame of a. `p` is on the incident face, in the
 /// frame of the reference with its axis first.
 template <Scalar S, int N>
@@ -203,8 +246,7 @@ template <Scalar S, int N>
   using Corner = typename ContactFormats<S>::Corner;
   const auto view = face_view(axes, index);
   const auto& half = view.of_b ? axes.b : axes.a;
-  ClippedFace<Corner, N> face;
-  for (int v = 0; v < face.corners; ++v) face.add(incident_corner(axes, view, v), v);
+  auto face = incident_face(axes, view);
   const auto ends = axis_first(half, view.axis);
   const auto end = [&](int c) { return ends[c] + ContactFormats<S>::tolerance; };
   face.template clip<1>(end(1), false, face.corners);
@@ -290,6 +332,9 @@ template <Scalar S>
   using Gap = typename Formats<S>::Gap;
   using Ratio = typename Formats<S>::Ratio;
   auto limit = nearest_to<Gap>(best.separation + ContactFormats<S>::tolerance);
+  constexpr auto shortest = quotient_nearest<Ratio>(Ratio(1), as_operand<Ratio>(4096));
+  const auto harmless_to = [&] { return exact_span<S>((min)((min)(limit, margin), Gap(0))); };
+  auto harmless = harmless_to();
   std::array<Vec<Ratio, 3>, 3> m;
   for (std::size_t j = 0; j < 3; ++j) m[j] = FaceAxes<S, 3>::magnitudes(axes.pose.axes[j]);
   const auto length_of = [&]<int I, int J>(Pick<I, J>) {
@@ -299,12 +344,15 @@ template <Scalar S>
   const auto is_apart = [&]<int I, int J>(Pick<I, J> pick) {
     const auto s = edge_separation<I, J>(axes, m);
     // The length counts as at most 1, so the quotient is at most s.
-    if (s <= 0 && s <= limit && s <= margin) return false;
+    if (s <= harmless) return false;
     const auto squared = length_of(pick);
-    if (squared < quotient_nearest<Ratio>(Ratio(1), as_operand<Ratio>(4096))) return false;
+    if (squared < shortest) return false;
     const auto length = (min)(sqrt_floor<Ratio>(squared), Ratio(1));
     const auto q = quotient_nearest<Gap>(s, length);
-    if (q > limit) best = {6 + 3 * I + J, limit = q};
+    if (q > limit) {
+      best = {6 + 3 * I + J, limit = q};
+      harmless = harmless_to();
+    }
     return q > margin;
   };
   const bool apart = is_apart(Pick<0, 0>()) || is_apart(Pick<0, 1>()) || is_apart(Pick<0, 2>()) ||

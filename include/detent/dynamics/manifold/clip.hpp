@@ -60,8 +60,10 @@ struct ClippedFace {
       all_inside = all_inside && room[v] >= 0;
     }
     if (all_inside) return;
+    const auto from = points;
+    const auto names_of = lines;
     const auto between = [&](std::size_t kept, std::size_t lost) {
-      const auto way = points[lost] - points[kept];
+      const auto way = from[lost] - from[kept];
       const auto share = [](const auto& whole_way, const auto& numerator, const auto& denominator) {
         return make_vec<N>([&](int c) {
           if (c == Axis) return T();
@@ -69,26 +71,25 @@ struct ClippedFace {
         });
       };
       const auto part = by_width<31>(share, way, room[kept], room[kept] - room[lost]);
-      auto p = nearest_to<T>(points[kept] + part);
+      auto p = nearest_to<T>(from[kept] + part);
       p[Axis] = nearest_to<T>(negative ? -end : end);
       return p;
     };
-    ClippedFace result;
+    count = 0;
     for (std::size_t v = 0; v < size; ++v) {
       const std::size_t next = v + 1 < size ? v + 1 : 0;
       if (IsSegment) {  // each end is kept or replaced
         if (room[v] >= 0) {
-          result.add(points[v], lines[v]);
+          add(from[v], names_of[v]);
         } else if (room[next] > 0) {
-          result.add(between(next, v), line);
+          add(between(next, v), line);
         }
         continue;
       }
-      if (room[v] >= 0) result.add(points[v], room[v] == 0 && room[next] < 0 ? line : lines[v]);
-      if (room[v] > 0 && room[next] < 0) result.add(between(v, next), line);
-      if (room[v] < 0 && room[next] > 0) result.add(between(next, v), lines[v]);
+      if (room[v] >= 0) add(from[v], room[v] == 0 && room[next] < 0 ? line : names_of[v]);
+      if (room[v] > 0 && room[next] < 0) add(between(v, next), line);
+      if (room[v] < 0 && room[next] > 0) add(between(next, v), names_of[v]);
     }
-    *this = result;
   }
 
   /// Names the corners and keeps those for which test(point) is true.
