@@ -147,22 +147,25 @@ using SolidBodies = LargePart<"SolidBodies", Solids>;
 
 namespace detail {
 
+template <class... Lists>
+struct Joined;
 template <class... Items>
-constexpr auto joined(List<Items...> list) {
-  return list;
-}
-template <class... Left, class... Right, class... Rest>
-constexpr auto joined(List<Left...>, List<Right...>, Rest... rest) {
-  return joined(List<Left..., Right...>{}, rest...);
-}
+struct Joined<List<Items...>> {
+  using type = List<Items...>;
+};
+template <class... First, class... Second, class... Rest>
+struct Joined<List<First...>, List<Second...>, Rest...>
+    : Joined<List<First..., Second...>, Rest...> {};
+
+template <class Parts>
+struct GroupsOf;
 template <class... Items>
-constexpr auto groups_of(List<Items...>) {
-  return joined(typename Items::Groups{}...);
-}
+struct GroupsOf<List<Items...>> : Joined<typename Items::Groups...> {};
+
+template <class Volumes>
+struct PartsOf;
 template <class... Items>
-constexpr auto parts_of(List<Items...>) {
-  return joined(typename Items::Parts{}...);
-}
+struct PartsOf<List<Items...>> : Joined<typename Items::Parts...> {};
 
 }  // namespace detail
 
@@ -170,7 +173,7 @@ template <PartName Text, class... Items>
 struct NamedVolume {
   static constexpr std::string_view name = Text.view();
   using Parts = List<Items...>;
-  using Groups = decltype(detail::groups_of(Parts{}));
+  using Groups = typename detail::GroupsOf<Parts>::type;
 };
 
 /// The corpus in five programs, for compilers that cannot take it in one.
@@ -188,12 +191,12 @@ using Bodies = NamedVolume<"Bodies", BoxImpacts, Characters, ScenePairs>;
 using Worlds = NamedVolume<"Worlds", FallingBodies, JoinedBodies, SolidBodies>;
 using Volumes = List<Basics, Pairs, Movements, Bodies, Worlds>;
 
-using Parts = decltype(detail::parts_of(Volumes{}));
+using Parts = detail::PartsOf<Volumes>::type;
 
 /// All parts together.
 struct Corpus {
   static constexpr std::string_view name = "all";
-  using Groups = decltype(detail::groups_of(Parts{}));
+  using Groups = detail::GroupsOf<Parts>::type;
 };
 
 /// The scalar and the dimension of a cell.

@@ -62,7 +62,7 @@ for part in SolidRays RoundPoints; do
   sed "s/@part@/$part/; s/@declarations@//" src/verify/part.cpp.in >"$work/$part.cpp"
 done
 "$@" -std=c++20 -O1 -I"$work/include" -I"$work/src" -Isrc/cli -Itests -Itests/verify \
-  tests/verify/planted_fault.cpp src/cli/verify.cpp "$work/src/verify/sheets.cpp" \
+  tests/verify/planted_fault.cpp src/cli/verify.cpp "$work"/src/verify/{judge,sheets}.cpp \
   "$work"/{SolidRays,RoundPoints}.cpp "${libraries[@]}" -pthread -o "$work/faulty"
 
 status=0

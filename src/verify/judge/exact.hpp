@@ -9,6 +9,9 @@
 #include "verify/converted.hpp"
 #include "verify/describe.hpp"
 
+// Functions that are not templates are defined in judge.cpp, so that the parts of the corpus do not
+// each compile the decimals.
+
 namespace detent::verify::judge {
 
 using oracle::Integer;
@@ -23,7 +26,7 @@ struct Wrong {
 // to a tie have two correct results.
 
 /// The maximum error for rotations, and for normals of spheres (in thousandths).
-inline const Real rotation_margin("0.5001");
+const Real& rotation_margin();
 inline constexpr int normal_margin = 501;
 
 template <class T>
@@ -64,24 +67,16 @@ inline Integer scaled(const Integer& x, int bits) {
 }
 
 /// over / under rounded to the nearest integer, ties to even; the denominator may have either sign.
-inline Integer nearest_quotient(const Integer& over, const Integer& under) {
-  const auto t = oracle::Moment::fraction(over, under);
-  return oracle::nearest_quotient(t.over, t.under);
-}
+Integer nearest_quotient(const Integer& over, const Integer& under);
 
 /// The nearest integer to a number that is not a tie.
-inline Integer nearest(const Real& x) {
-  return static_cast<Integer>(floor(x + Real(0.5)).convert_to<boost::multiprecision::cpp_int>());
-}
-inline Real steps(int frac) { return ldexp(Real(1), frac); }
+Integer nearest(const Real& x);
+Real steps(int frac);
 template <int Bits, int Frac>
 Real real(const Fixed<Bits, Frac>& x) {
   return Real(static_cast<std::int64_t>(x.raw())) / steps(Frac);
 }
-inline const Real& two_pi() {
-  static const Real value = 8 * atan(Real(1));
-  return value;
-}
+const Real& two_pi();
 template <Scalar S>
 Real radians(Angle<S> angle) {
   return Real(angle.raw()) / steps(32) * two_pi();
@@ -92,11 +87,7 @@ std::int64_t signed_units(Angle<S> angle) {
   const auto raw = static_cast<std::int64_t>(angle.raw());
   return raw > std::int64_t{1} << 31 ? raw - (std::int64_t{1} << 32) : raw;
 }
-inline std::uint32_t wrapped(const Integer& units) {
-  const Integer turn = Integer(1) << 32;
-  const Integer whole = oracle::floor_quotient(units, turn);
-  return static_cast<std::uint32_t>(Integer(units - whole * turn));
-}
+std::uint32_t wrapped(const Integer& units);
 
 template <Scalar S, int N>
 oracle::Raw<N> raw_of(const Vec<S, N>& v) {

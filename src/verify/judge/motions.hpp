@@ -90,7 +90,7 @@ std::optional<Wrong> judge_near(const std::array<Real, 4>& exact, const Answer& 
     const Real& in_steps = exact[static_cast<std::size_t>(i)];
     expected[i] = clamped<direction_component<S>>(nearest(in_steps));
     const Real distance = abs(in_steps - Real(static_cast<std::int64_t>(got[i].raw())));
-    right = right && distance <= rotation_margin;
+    right = right && distance <= rotation_margin();
   }
   if (right) return std::nullopt;
   return Wrong{words(expected), words(got)};
@@ -219,7 +219,7 @@ std::optional<Wrong> judge(const LensCase<S, N>& c, const Answer& got) {
     // Next to a tie both neighbours are correct.
     if (!got) continue;
     const Real distance = abs(exact - Real(static_cast<std::int64_t>((*got)(i, i).raw())));
-    if (distance <= rotation_margin) expected(i, i) = (*got)(i, i);
+    if (distance <= rotation_margin()) expected(i, i) = (*got)(i, i);
   }
   const Integer under = near_raw - far_raw;
   expected(2, 2) = clamped<S>(nearest_quotient(scaled(far_raw, S::frac), under));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <regex>
 #include <string>
 
 #include "verify/judge/exact.hpp"
@@ -36,33 +35,10 @@ std::optional<Wrong> judge(const QuotientCase<S, N>& c, const Answer& got) {
 }
 
 /// The value of a decimal text, times 2^frac and rounded; nothing for malformed text.
-inline std::optional<Integer> meaning(const std::string& text, int frac) {
-  static const std::regex decimal(R"(([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d+))?)");
-  std::smatch parts;
-  if (!std::regex_match(text, parts, decimal)) return std::nullopt;
-  const std::string whole = parts[2], fraction = parts[3];
-  if (whole.empty() && fraction.empty()) return std::nullopt;
-  Integer over = 0;
-  for (const char digit : whole + fraction) over = over * 10 + (digit - '0');
-  Integer under = 1;
-  const int exponent =
-      (parts[4].length() > 0 ? std::stoi(parts[4]) : 0) - static_cast<int>(fraction.size());
-  for (int i = 0; i < exponent; ++i) over *= 10;
-  for (int i = 0; i > exponent; --i) under *= 10;
-  const Integer rounded = nearest_quotient(scaled(over, frac), under);
-  return parts[1] == "-" ? Integer(-rounded) : rounded;
-}
+std::optional<Integer> meaning(const std::string& text, int frac);
 
 /// The exact decimal of raw / 2^frac.
-inline std::string spelling(std::int64_t raw, int frac) {
-  const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
-  const auto one = std::uint64_t{1} << frac;
-  std::string text = (raw < 0 ? "-" : "") + std::to_string(magnitude / one);
-  auto rest = magnitude % one;
-  if (rest != 0) text += '.';
-  for (; rest != 0; rest = rest * 10 % one) text += static_cast<char>('0' + rest * 10 / one);
-  return text;
-}
+std::string spelling(std::int64_t raw, int frac);
 
 template <int Row, Scalar S, int N, class Answer>
 std::optional<Wrong> judge(const TextCase<S, N>& c, const Answer& got) {

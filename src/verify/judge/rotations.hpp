@@ -41,7 +41,7 @@ std::optional<Wrong> judge_axes(const std::array<std::array<Real, N>, N>& exact,
       const Real in_steps = exact[k][static_cast<std::size_t>(i)] * steps(Component::frac);
       expected[k][i] = clamped<Component>(nearest(in_steps));
       const Real distance = abs(in_steps - Real(static_cast<std::int64_t>(got[k][i].raw())));
-      right = right && distance <= rotation_margin;
+      right = right && distance <= rotation_margin();
     }
   }
   if (right) return std::nullopt;
