@@ -29,7 +29,7 @@ class Zoo {
   using Bodies = typename ZooWorld<S, N>::Type;
   using Point = Vec<S, N>;
 
-  explicit Zoo(std::uint64_t seed) : random(seed) {
+  explicit Zoo(std::uint64_t seed) : random(seed), world(restful()) {
     BodyOptions<S, N> fixed;
     fixed.motion = BodyMotion::fixed;
     if constexpr (N == 3) {
@@ -75,6 +75,11 @@ class Zoo {
   Bodies world;
 
  private:
+  [[nodiscard]] static WorldSettings<S, N> restful() {
+    WorldSettings<S, N> settings;
+    settings.sleep_speed = num<S>(0.5);
+    return settings;
+  }
   [[nodiscard]] Point at(double x, double y) const {
     Point p{};
     p.x = num<S>(x);

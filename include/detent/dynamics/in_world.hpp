@@ -10,6 +10,7 @@
 #include "detent/scene/hull/asset.hpp"
 #include "detent/scene/mesh/placed.hpp"
 #include "detent/scene/object.hpp"
+#include "detent/shape/moved.hpp"
 
 namespace detent {
 
@@ -64,15 +65,15 @@ template <Scalar S, int N, Number C>
 
 /// A shape from the frame of a body, in the world. Surfaces and hulls are in the form that scenes
 /// hold.
+template <Scalar S, int N, class Shape>
+requires requires(const Transform<S, N>& pose, const Shape& shape) { placed(pose, shape); }
+[[nodiscard]] constexpr Shape in_world(const Standing<S, N>& at, const Shape& shape) noexcept {
+  return placed(rounded(at), shape);
+}
 template <Scalar S, int N>
 [[nodiscard]] constexpr Sphere<S, N> in_world(const Standing<S, N>& at,
                                               const Sphere<S, N>& ball) noexcept {
   return {rounded<S, N>(at.place), ball.radius};
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr Capsule<S, N> in_world(const Standing<S, N>& at,
-                                               const Capsule<S, N>& capsule) noexcept {
-  return placed(rounded(at), capsule);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr Obb<S, N> in_world(const Standing<S, N>& at,

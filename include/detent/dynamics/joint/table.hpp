@@ -52,7 +52,7 @@ struct JointTable {
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (list[i].generation == 0) continue;
       const auto pair = list[i].bodies();
-      if (pair.a == body || pair.b == body) f(pair);
+      if (body == pair.a || body == pair.b) f(pair);
     }
   }
   /// Removes the joints of a body; calls f(pair) with the bodies of each.
