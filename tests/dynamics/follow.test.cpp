@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "detent/dynamics/follow.hpp"
 
-#include <algorithm>
-#include <optional>
+#include <array>
 #include <type_traits>
-#include <vector>
 
 #include "detent/scene/mover.hpp"
 #include "detent/scene/snapshot.hpp"
-#include "dynamics/zoo.hpp"
+#include "detent/scene/world.hpp"
+#include "dynamics/stage.hpp"
 #include "support/catch.hpp"
 
 namespace detent::test {
@@ -16,130 +15,7 @@ namespace {
 
 using S = q16_16;
 
-template <int N>
-struct Dim {
-  static constexpr int value = N;
-};
-
-struct All {
-  bool operator()(const BodyInfo&) const noexcept { return true; }
-};
-
-/// The first hit among the shapes that a world lists, one by one; of equal distances the least id
-/// of an object counts, so parts of compounds come last.
-template <class World, class Filter>
-std::optional<std::pair<S, PartId>> first_hit(const World& world,
-                                              const Ray<S, World::dimension>& ray,
-                                              const Filter& filter) {
-  std::optional<std::pair<S, PartId>> best[2];
-  world.for_each([&]<class Shape>(const BodyInfo& body, const Shape& shape) {
-    if (!filter(body)) return;
-    const auto distance = raycast(ray, shape);
-    const bool is_compound =
-        detail::part_count(detail::WorldAccess::bodies(world)[body.id.index]) != 0;
-    auto& first = best[is_compound ? 1 : 0];
-    if (distance && (!first || *distance < first->first)) {
-      first = {*distance, PartId{body.id, body.part}};
-    }
-  });
-  if (!best[0] || (best[1] && best[1]->first < best[0]->first)) return best[1];
-  return best[0];
-}
-
-template <class Scene, class World, class Zoo, class Filter>
-void check_hits(const Scene& scene, const World& world, Zoo& zoo, const Filter& filter, int rays,
-                int& hits) {
-  for (int i = 0; i < rays; ++i) {
-    const Ray<S, World::dimension> ray{zoo.somewhere(), zoo.direction(), num<S>(20)};
-    const auto hit = scene.nearest_hit(ray);
-    const auto expected = first_hit(world, ray, filter);
-    REQUIRE(hit.has_value() == expected.has_value());
-    if (!hit) continue;
-    ++hits;
-    CHECK(hit->distance == expected->first);
-    CHECK(part_of(world, hit->id) == expected->second);
-    CHECK(scene.info(hit->id)->user == world.info(expected->second.body)->user);
-  }
-}
-
 }  // namespace
-
-TEMPLATE_TEST_CASE("follow: the scene is that of a world without a history", "", Dim<2>, Dim<3>) {
-  constexpr int N = TestType::value;
-  const auto seed = GENERATE(1, 2, 3, 4);
-  INFO("seed " << seed);
-  Zoo<S, N> zoo(static_cast<std::uint64_t>(seed));
-  using Bodies = typename Zoo<S, N>::Bodies;
-  SceneOf<Bodies> solids, all;
-  std::vector<Bodies> saved;
-  int hits = 0, rays = 0, asleep = 0;
-  for (int round = 0; round < 25; ++round) {
-    zoo.live();
-    if (zoo.random.one_in(3)) saved.push_back(zoo.world);
-    if (!saved.empty() && zoo.random.one_in(5)) zoo.world = saved[zoo.random.below(saved.size())];
-    if (zoo.random.one_in(4)) continue;  // more changes before the next time
-    const auto& world = zoo.world;
-    CHECK(follow(solids, world));
-    CHECK(follow(all, world, All()));
-
-    SceneOf<Bodies> fresh, fresh_all;
-    follow(fresh, world);
-    follow(fresh_all, world, All());
-    REQUIRE(detail::WorldDigest(solids).all() == detail::WorldDigest(fresh).all());
-    REQUIRE(detail::WorldDigest(solids).fixed() == detail::WorldDigest(fresh).fixed());
-    REQUIRE(detail::WorldDigest(all).all() == detail::WorldDigest(fresh_all).all());
-    REQUIRE(solids.overlaps() == fresh.overlaps());
-    CHECK(snapshot(solids) == snapshot(fresh));
-
-    check_hits(solids, world, zoo, Solids(), 10, hits);
-    check_hits(all, world, zoo, All(), 10, hits);
-    rays += 20;
-    world.for_each([&](const BodyInfo& body) { asleep += body.is_asleep; });
-  }
-  CHECK(10 * hits > 3 * rays);
-  CHECK(10 * hits < 9 * rays);
-  CHECK(asleep > 0);
-}
-
-TEMPLATE_TEST_CASE("follow: objects have the ids and properties of their bodies", "", Dim<2>,
-                   Dim<3>) {
-  constexpr int N = TestType::value;
-  Zoo<S, N> zoo(9);
-  for (int round = 0; round < 10; ++round) zoo.live();
-  const auto& world = zoo.world;
-  SceneOf<typename Zoo<S, N>::Bodies> scene;
-  follow(scene, world, All());
-  std::size_t objects = 0;
-  world.for_each([&]<class Shape>(const BodyInfo& body, const Shape& shape) {
-    ++objects;
-    if (detail::part_count(detail::WorldAccess::bodies(world)[body.id.index]) != 0) {
-      CHECK_FALSE(scene.contains(body.id));
-      return;
-    }
-    const auto info = scene.info(body.id).value();
-    CHECK(info.layers == body.layers);
-    CHECK(info.user == body.user);
-    CHECK((info.motion == Motion::fixed) == (body.motion == BodyMotion::fixed));
-    CHECK(scene.template shape<Shape>(body.id) == shape);
-  });
-  CHECK(scene.size() == objects);
-  scene.for_each([&]<class Shape>(const ObjectInfo& info, const Shape& shape) {
-    const auto part = part_of(world, info.id).value();
-    int found = 0;
-    world.visit(part.body, [&]<class Other>(const BodyInfo& body, const Other& other) {
-      if (body.part != part.part) return;
-      ++found;
-      if constexpr (std::is_same_v<Shape, Other>) {
-        CHECK(shape == other);
-      } else {
-        FAIL("another type of shape");
-      }
-    });
-    CHECK(found == 1);
-  });
-  CHECK_FALSE(part_of(world, no_object));
-  CHECK_FALSE(part_of(world, ObjectId{1u << 19, 1}));
-}
 
 TEST_CASE("follow: a body put back under its id may move in another way") {
   World<S, 2, Sphere, Obb> world;
@@ -218,6 +94,28 @@ TEST_CASE("follow: bounded worlds and scenes need no heap") {
   CHECK(part_of(world, ObjectId{9, 6}) == PartId{{5, 6}, 1});
 }
 
+TEST_CASE("follow: the ids of parts do not depend on bodies that were removed") {
+  const std::array parts{BodyPart(Sphere<S, 2>{at<S, 2>(0, 0), num<S>(0.5)}),
+                         BodyPart(Sphere<S, 2>{at<S, 2>(1, 0), num<S>(0.5)})};
+  const auto solid = solid_compound(1, parts).value();
+  World<S, 2, Sphere, BodyCompound> world;
+  const auto pair = *world.add(BodyCompound<S, 2>{&solid, {}, {}});
+  const BodyId far{100, 7};
+  SceneOf<decltype(world)> scene;
+  for (const bool is_far : {false, true, false}) {
+    is_far ? world.put(far, Sphere<S, 2>{{}, S(1)}) : world.remove(far);
+    const std::uint32_t first = is_far ? 128 : 1;
+    CHECK(follow(scene, world));
+    CHECK(scene.size() == (is_far ? 3 : 2));
+    for (std::uint32_t part : {0u, 1u}) {
+      const ObjectId id{first + part, pair.generation};
+      CHECK(scene.contains(id));
+      CHECK(part_of(world, id) == PartId{pair, part});
+    }
+    CHECK_FALSE(part_of(world, ObjectId{first + 2, pair.generation}));
+  }
+}
+
 TEST_CASE("follow: answers in constant expressions") {
   constexpr auto found = [] {
     BoundedWorld<Bounded<2>, S, 2, Sphere> world;
@@ -230,9 +128,32 @@ TEST_CASE("follow: answers in constant expressions") {
   static_assert(found->id == BodyId{0, 1} && found->distance == S(2));
 }
 
+TEMPLATE_TEST_CASE("follow: in other scalars", "", q24_8, q8_8, double) {
+  using T = TestType;
+  using Point = Vec<T, 3>;
+  World<T, 3, Sphere, Capsule, Aabb> world;
+  const Aabb<T, 3> ground{Point{T(-5), T(-1), T(-5)}, Point{T(5), T(0), T(5)}};
+  const auto floor = *world.add(ground, {.motion = BodyMotion::fixed});
+  const auto ball = *world.add(Sphere<T, 3>{Point{T(0), T(3), T(0)}, num<T>(0.5)});
+  world.add(Capsule<T, 3>{Point{T(3), T(1), T(0)}, Point{T(3), T(2), T(0)}, num<T>(0.5)});
+  SceneOf<decltype(world)> scene;
+  for (int i = 0; i < 8; ++i) {
+    world.set_position(ball, Point{T(0), num<T>(3 - 0.25 * i), T(0)});
+    REQUIRE(follow(scene, world));
+    const Ray down{Point{T(0), T(9), T(0)}, -Direction<T, 3>::along(1)};
+    const auto hit = scene.nearest_hit(down);
+    REQUIRE(hit);
+    CHECK(hit->id == ball);
+    CHECK(hit->distance == raycast(down, Sphere<T, 3>{world.position(ball), num<T>(0.5)}));
+    const Ray beside{Point{T(4), T(9), T(4)}, -Direction<T, 3>::along(1)};
+    CHECK(scene.nearest(beside)->id == floor);
+    CHECK(scene.nearest(beside)->distance == T(9));
+  }
+}
+
 TEST_CASE("follow: casts, overlaps and characters find bodies") {
   World<S, 3, Sphere, Obb> world;
-  const auto floor = *world.add(box_of<S, 3>(0, -1, 20, 1), fixed<S>());
+  const auto floor = *world.add(box_of<S, 3>(0, -1, 20, 1), {.motion = BodyMotion::fixed});
   const auto crate = *world.add(box_of<S, 3>(3, 0.5, 0.5, 0.5), BodyOptions<S, 3>{.layers = 2});
   const auto zone = *world.add(Sphere<S, 3>{at3(1, 1, 0), S(1)},
                                {.motion = BodyMotion::fixed, .is_sensor = true});

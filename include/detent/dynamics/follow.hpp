@@ -172,7 +172,7 @@ using SceneOf = typename detail::SceneFor<World>::Type;
 /// domain: scenes that name all shapes of `SceneOf<World>`; leave their contents to this function
 /// result: whether the scene had room; what has an index beyond its capacity is left out
 /// exact:  answers and digests depend only on the present state of the world
-///         (docs/dynamics.md, tests/dynamics/follow.test.cpp)
+///         (docs/dynamics.md, tests/dynamics/follow_zoo.test.cpp)
 template <class Room, class Storage, Scalar S, int N, class... Shapes, class... Parts,
           BodyFilter Filter = Solids>
 constexpr bool follow(BasicScene<Room, S, N, Shapes...>& scene,
@@ -223,8 +223,10 @@ constexpr bool follow(BasicScene<Room, S, N, Shapes...>& scene,
 }
 
 /// The body, and its part, of an object of a scene that follows `world`: the body with this id, or
-/// the part of a compound that has the object. Nothing for other ids, such as those from before the
-/// last addition or removal of a compound.
+/// the part of a compound that has the object; otherwise nothing.
+///
+/// domain: ids of a scene that followed since the last body was added or removed; those of compounds
+///         change with that
 template <class Storage, Scalar S, int N, class... Parts>
 [[nodiscard]] constexpr std::optional<PartId> part_of(
     const BasicWorld<Storage, S, N, Parts...>& world, const ObjectId& object) noexcept {
