@@ -25,17 +25,16 @@ inline BodyOptions<S, 3> fixed_body() {
   return options;
 }
 
-/// A body and the shape to draw for it, in its own frame.
-template <class Shape>
+/// A body and the colour to draw it in.
 struct Drawn {
   BodyId id;
-  Shape shape;
   Colour colour;
 
   void draw(const Bodies& world, Picture& picture) const {
-    const auto there = placed(world.pose(id), shape);
-    draw_solid(picture, there, colour);
-    if constexpr (std::is_same_v<Shape, Box>) detent::draw(picture, there, ink);
+    world.visit(id, [&]<class Shape>(const BodyInfo&, const Shape& shape) {
+      draw_solid(picture, shape, colour);
+      if constexpr (std::is_same_v<Shape, Box>) detent::draw(picture, shape, ink);
+    });
   }
 };
 

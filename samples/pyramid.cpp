@@ -49,7 +49,7 @@ class Pyramid final : public Sample {
     const Point half{0.5_q16_16, 0.5_q16_16, 0.5_q16_16};
     const Box box{{along(i), saturate_to<S>(level + 0.5_q16_16), along(j)}, half, {}};
     if (const auto id = world.add(box)) {
-      boxes.push_back({*id, {{}, half, {}}, palette_colour(static_cast<std::size_t>(level))});
+      boxes.push_back({*id, palette_colour(static_cast<std::size_t>(level))});
     }
   }
   void throw_ball(const Input& input) {
@@ -57,15 +57,13 @@ class Pyramid final : public Sample {
     heavy.density = 4_q16_16;
     const S aside = input.is_pointing ? quotient_nearest<S>(input.x, 300) : 0.4_q16_16;
     heavy.velocity = {-20_q16_16, 3_q16_16, saturate_to<S>(-aside)};
-    const S radius = 0.7_q16_16;
-    if (const auto id = world.add(Ball{{12_q16_16, 2_q16_16, aside}, radius}, heavy)) {
-      balls.push_back({*id, {{}, radius}, red});
+    if (const auto id = world.add(Ball{{12_q16_16, 2_q16_16, aside}, 0.7_q16_16}, heavy)) {
+      balls.push_back({*id, red});
     }
   }
 
   Bodies world;
-  std::vector<Drawn<Box>> boxes;
-  std::vector<Drawn<Ball>> balls;
+  std::vector<Drawn> boxes, balls;
   int tick = 0;
   bool was_pressed = false;
 };

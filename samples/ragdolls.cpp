@@ -33,9 +33,7 @@ class Ragdolls final : public Sample {
       detent::draw(picture, stair, ink);
     }
     draw_solid(picture, floor, pale);
-    for (const auto& each : torsos) each.draw(world, picture);
-    for (const auto& each : heads) each.draw(world, picture);
-    for (const auto& each : limbs) each.draw(world, picture);
+    for (const auto& each : parts) each.draw(world, picture);
   }
 
   [[nodiscard]] std::uint64_t digest() const override { return detent::digest(world); }
@@ -57,10 +55,10 @@ class Ragdolls final : public Sample {
 
     const Point half{0.24_q16_16, 0.34_q16_16, 0.15_q16_16};
     const auto torso = world.add(Box{at({}), half, {}}, flesh).value_or(no_object);
-    torsos.push_back({torso, {{}, half, {}}, colour});
-    const S radius = 0.2_q16_16;
-    const auto head = world.add(Ball{at({{}, 0.6_q16_16, {}}), radius}, flesh).value_or(no_object);
-    heads.push_back({head, {{}, radius}, colour});
+    const Ball skull{at({{}, 0.6_q16_16, {}}), 0.2_q16_16};
+    const auto head = world.add(skull, flesh).value_or(no_object);
+    parts.push_back({torso, colour});
+    parts.push_back({head, colour});
     join(torso, head, at({{}, 0.38_q16_16, {}}));
     for (const int side : {-1, 1}) {
       const auto x = [&](S past) { return saturate_to<S>(side * past); };
@@ -81,10 +79,8 @@ class Ragdolls final : public Sample {
     join(upper, lower, middle);
   }
   BodyId add_bone(const Point& a, const Point& b, const Colour& colour) {
-    const Capsule<S, 3> bone{a, b, 0.09_q16_16};
-    const auto id = world.add(bone, flesh).value_or(no_object);
-    const auto local = [&](const Point& p) { return world.local_point(id, p); };
-    limbs.push_back({id, {local(a), local(b), bone.radius}, colour});
+    const auto id = world.add(Capsule<S, 3>{a, b, 0.09_q16_16}, flesh).value_or(no_object);
+    parts.push_back({id, colour});
     return id;
   }
   /// Joins two bodies at a world point.
@@ -102,9 +98,7 @@ class Ragdolls final : public Sample {
   BodyOptions<S, 3> flesh;
   Box floor;
   std::vector<Box> stairs;
-  std::vector<Drawn<Box>> torsos;
-  std::vector<Drawn<Ball>> heads;
-  std::vector<Drawn<Capsule<S, 3>>> limbs;
+  std::vector<Drawn> parts;
   int tick = 0, count = 0;
 };
 

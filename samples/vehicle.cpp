@@ -28,14 +28,13 @@ class Vehicle final : public Sample {
     BodyOptions<S, 3> metal, rubber;
     metal.density = 2_q16_16;
     const Point start{-30_q16_16, 3.2_q16_16, 0_q16_16}, half{1.2_q16_16, 0.3_q16_16, 0.6_q16_16};
-    car = {world.add(Box{start, half, {}}, metal).value_or(no_object), {{}, half, {}}, red};
+    car = {world.add(Box{start, half, {}}, metal).value_or(no_object), red};
     rubber.friction = 1.8_q16_16;
     for (std::size_t i = 0; i < 4; ++i) {
       const Point offset{i < 2 ? 0.9_q16_16 : -0.9_q16_16, -0.35_q16_16,
                          i % 2 == 0 ? 0.8_q16_16 : -0.8_q16_16};
-      const S radius = 0.45_q16_16;
-      const Ball wheel{nearest_to<S>(start + offset), radius};
-      wheels[i] = {world.add(wheel, rubber).value_or(no_object), {{}, radius}, ink};
+      const Ball wheel{nearest_to<S>(start + offset), 0.45_q16_16};
+      wheels[i] = {world.add(wheel, rubber).value_or(no_object), ink};
       joints[i].a = car.id;
       joints[i].b = wheels[i].id;
       joints[i].anchor_a = offset;
@@ -132,8 +131,8 @@ class Vehicle final : public Sample {
   FieldAsset<S> terrain;
   Bodies world;
   std::array<Box, 4> fences;
-  Drawn<Box> car;
-  std::array<Drawn<Ball>, 4> wheels;
+  Drawn car;
+  std::array<Drawn, 4> wheels;
   std::array<WheelJoint<S, 3>, 4> joints;
   std::array<JointId, 4> axles;
   S steering{};

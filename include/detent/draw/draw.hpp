@@ -7,6 +7,7 @@
 //   draw(sink, point, colour, size)   a cross; contacts and hits also draw their normals
 //   draw_sweep(sink, shape, direction, distance, colour)   a moving shape, at its start and end
 //   draw(sink, scene, colours)        every object of a scene
+//   draw(sink, world, colours)        every body of a world, and draw_solid in 3D
 //   draw_tree(sink, scene), draw_tree(sink, mesh)          the boxes of the trees
 // Drawing changes none of its arguments. Points are rounded to the grid of the scalar and clamped
 // to its range, so drawings are for display only.
@@ -20,3 +21,4 @@
 #include "detent/draw/scene.hpp"
 #include "detent/draw/sink.hpp"
 #include "detent/draw/surface.hpp"
+#include "detent/draw/world.hpp"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Rigid bodies: worlds, their snapshots and digests, mass properties; particles, ropes and cloth.
+// Rigid bodies: worlds, their snapshots and digests, scenes that follow them, mass properties;
+// particles, ropes and cloth.
 
 #include "detent/dynamics/fields.hpp"
+#include "detent/dynamics/follow.hpp"
 #include "detent/dynamics/mass.hpp"
 #include "detent/dynamics/particle/cloth.hpp"
 #include "detent/dynamics/particle/snapshot.hpp"

@@ -9,8 +9,8 @@
 #include "detent/dynamics/body.hpp"
 #include "detent/dynamics/manifold/facets.hpp"
 #include "detent/dynamics/mass.hpp"
-#include "detent/number/digest.hpp"
 #include "detent/scene/assets.hpp"
+#include "detent/scene/hull/asset.hpp"
 #include "detent/scene/shape_tag.hpp"
 
 namespace detent {
@@ -26,11 +26,13 @@ class SolidHull {
   /// The most points of a hull.
   static constexpr std::size_t capacity = 32;
 
-  constexpr SolidHull() noexcept : SolidHull(0, ConvexHull<S, N>()) {}
+  constexpr SolidHull() noexcept : SolidHull(HullAsset<S, N>()) {}
 
-  [[nodiscard]] constexpr const ConvexHull<S, N>& hull() const noexcept { return hull_; }
-  [[nodiscard]] constexpr std::uint32_t id() const noexcept { return id_; }
-  [[nodiscard]] constexpr std::uint64_t digest() const noexcept { return digest_; }
+  [[nodiscard]] constexpr const ConvexHull<S, N>& hull() const noexcept { return asset_.hull(); }
+  [[nodiscard]] constexpr std::uint32_t id() const noexcept { return asset_.id(); }
+  [[nodiscard]] constexpr std::uint64_t digest() const noexcept { return asset_.digest(); }
+  /// The same hull for scenes.
+  [[nodiscard]] constexpr const HullAsset<S, N>& asset() const noexcept { return asset_; }
   /// The center of mass, in the frame of the points.
   [[nodiscard]] constexpr const auto& center() const noexcept { return center_; }
   /// The faces, relative to the center of mass.
@@ -41,12 +43,10 @@ class SolidHull {
   friend constexpr std::optional<SolidHull<T, M>> solid_hull(std::uint32_t id,
                                                              const ConvexHull<T, M>& hull) noexcept;
 
-  constexpr SolidHull(std::uint32_t id, const ConvexHull<S, N>& view) noexcept
-      : hull_(view), digest_(detent::digest(view)), id_(id) {}
+  static_assert(capacity <= HullAsset<S, N>::capacity);
+  explicit constexpr SolidHull(const HullAsset<S, N>& asset) noexcept : asset_(asset) {}
 
-  ConvexHull<S, N> hull_;
-  std::uint64_t digest_;
-  std::uint32_t id_;
+  HullAsset<S, N> asset_;
   Vec<typename detail::MassFormats<S>::Center, N> center_{};
   detail::PolytopeParts<S, N, capacity> parts_{};
 };
@@ -65,7 +65,7 @@ template <Scalar S, int N>
   if (hull.points.size() > Solid::capacity) return std::nullopt;
   const auto properties = mass_properties(hull, S(1));
   if (!(properties.mass > 0)) return std::nullopt;
-  Solid solid(id, hull);
+  Solid solid(*hull_asset(id, hull));
   solid.center_ = properties.center;
   solid.parts_ = detail::facets_of<Solid::capacity>(hull.points, properties.center);
   return solid;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include "detent/cull/list.hpp"
+#include "detent/dynamics/in_world.hpp"
 #include "detent/dynamics/joint/table.hpp"
 #include "detent/dynamics/kick.hpp"
 #include "detent/dynamics/tick.hpp"
@@ -256,22 +258,44 @@ class BasicWorld {
   [[nodiscard]] constexpr bool contains(const BodyId& id) const noexcept {
     return find(id) != nullptr;
   }
+  /// The properties of a body; nothing without such a body.
+  [[nodiscard]] constexpr std::optional<BodyInfo> info(const BodyId& id) const noexcept {
+    const Body* body = find(id);
+    return body == nullptr ? std::nullopt : std::optional(detail::info_of(*body, id.index));
+  }
+  /// Calls f(info, shape) with the shape of a body in the world, or with that of each part of a
+  /// compound; f(info) once if f takes only a `BodyInfo`. False without such a body.
+  ///
+  /// result: a `Sphere`, `Capsule` or `Obb`, at `position(id)` and along `rotation(id)`; an `Obb`
+  ///         for an `Aabb`, which turns, too; `PlacedHull` and `PlacedMesh`, by `frame(id)`;
+  ///         `PlacedField`, moved to `position(id)`
+  /// exact:  each number of those poses rounded to nearest and clamped; parts by their own poses
+  ///         (docs/dynamics.md, tests/dynamics/in_world.test.cpp)
+  template <class F>
+  constexpr bool visit(const BodyId& id, const F& f) const {
+    const Body* body = find(id);
+    if (body != nullptr) visit(*body, id.index, f);
+    return body != nullptr;
+  }
+  /// Calls f(info, shape), or f(info), as `visit` does, for each body in order of index.
+  template <class F>
+  constexpr void for_each(const F& f) const {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (bodies_[i].generation != 0) visit(bodies_[i], static_cast<std::uint32_t>(i), f);
+    }
+  }
+
   /// The center of the body, rounded to nearest and clamped; the origin without such a body.
   [[nodiscard]] constexpr Vec<S, N> position(const BodyId& id) const noexcept {
     const Body* body = find(id);
     if (body == nullptr) return {};
-    return make_vec<N>([&](int i) { return saturate_to<S>(body->state.place[i]); });
+    return detail::rounded<S, N>(body->state.place);
   }
   /// The axes of the body's frame, rounded to nearest; no rotation without such a body.
   [[nodiscard]] constexpr Rotation<S, N> rotation(const BodyId& id) const noexcept {
     const Body* body = find(id);
     if (body == nullptr) return {};
-    const auto axes = detail::axes_of<S, N>(body->state.orientation);
-    std::array<Direction<S, N>, std::size_t{N}> directions;
-    for (std::size_t i = 0; i < std::size_t{N}; ++i) {
-      directions[i] = Direction<S, N>::assume_unit(nearest_to<direction_component<S>>(axes[i]));
-    }
-    return Rotation<S, N>::from_axes(directions);
+    return detail::rounded<S, N>(detail::axes_of<S, N>(body->state.orientation));
   }
   /// The pose of the body's frame: `placed(world.pose(id), shape)` is its shape in the world.
   [[nodiscard]] constexpr Transform<S, N> pose(const BodyId& id) const noexcept {
@@ -283,18 +307,14 @@ class BasicWorld {
   [[nodiscard]] constexpr Transform<S, N> frame(const BodyId& id) const noexcept {
     const Body* body = find(id);
     if (body == nullptr) return {};
-    const auto axes = detail::axes_of<S, N>(body->state.orientation);
-    auto result = pose(id);
-    body->shape.visit([&](const auto& shape) {
+    const detail::Standing<S, N> at{body->state.place,
+                                    detail::axes_of<S, N>(body->state.orientation)};
+    return body->shape.visit([&](const auto& shape) {
       if constexpr (requires { shape.asset->center(); }) {
-        if (shape.asset == nullptr) return;
-        result.translation = make_vec<N>([&](int k) {
-          const auto row = make_vec<N>([&](int i) { return axes[static_cast<std::size_t>(i)][k]; });
-          return saturate_to<S>(body->state.place[k] - dot(row, shape.asset->center()));
-        });
+        if (shape.asset != nullptr) return detail::frame_about(at, shape.asset->center());
       }
+      return detail::rounded(at);
     });
-    return result;
   }
   /// The velocity in units per second, rounded to nearest and clamped; 0 without such a body.
   [[nodiscard]] constexpr Vec<S, N> velocity(const BodyId& id) const noexcept {
@@ -318,6 +338,35 @@ class BasicWorld {
     return body != nullptr && body->sleeps;
   }
 
+  /// Puts the center of a body elsewhere at once, whatever is between, and wakes it and the bodies
+  /// that it touched or is joined to. It keeps its joints, velocity and orientation; its contacts
+  /// lose their impulses. False if no body has this id.
+  ///
+  /// Snapshots taken before a fixed body was moved cannot be restored afterwards.
+  ///
+  /// exact:  `position` then returns the same              (tests/dynamics/teleport.test.cpp)
+  constexpr bool set_position(const BodyId& id, const Vec<S, N>& position) noexcept {
+    Body* body = find(id);
+    if (body == nullptr) return false;
+    body->state.place = make_vec<N>([&](int i) { return typename F::Place(position[i]); });
+    disturb(id.index);
+    return true;
+  }
+  /// Turns a body about its center at once; otherwise like `set_position`. Height fields stay
+  /// upright.
+  ///
+  /// exact:  its orientation is that of an `Obb` added with this rotation
+  constexpr bool set_rotation(const BodyId& id, const Rotation<S, N>& rotation) noexcept {
+    Body* body = find(id);
+    if (body == nullptr) return false;
+    body->shape.visit([&]<class Shape>(const Shape&) {
+      if constexpr (!detail::is_solid_below<Shape>) {
+        body->state.orientation = detail::orientation_of(rotation);
+      }
+    });
+    disturb(id.index);
+    return true;
+  }
   /// Sets the velocity of a body, and wakes it. Ignored for fixed bodies.
   constexpr void set_velocity(const BodyId& id, const Vec<S, N>& velocity) noexcept {
     Body* body = find(id);
@@ -418,6 +467,14 @@ class BasicWorld {
     const BasicWorld& self = *this;
     return const_cast<Body*>(self.find(id));
   }
+  template <class F>
+  static constexpr void visit(const Body& body, std::uint32_t index, const F& f) {
+    if constexpr (std::invocable<const F&, const BodyInfo&>) {
+      f(detail::info_of(body, index));
+    } else {
+      detail::visit_in_world<Parts...>(body, index, f);
+    }
+  }
   [[nodiscard]] constexpr BodyId id_of(std::uint32_t index) const noexcept {
     return {index, bodies_[index].generation};
   }
@@ -443,6 +500,23 @@ class BasicWorld {
   constexpr void rouse(const detail::BodyPair& pair) noexcept {
     rouse(bodies_[pair.a]);
     rouse(bodies_[pair.b]);
+  }
+  /// Wakes a body that was moved, and those that it touched or is joined to.
+  constexpr void disturb(std::uint32_t index) noexcept {
+    rouse(bodies_[index]);
+    bodies_[index].drift = {};
+    bodies_[index].lean = {};
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      auto& contact = contacts_[i];
+      if (contact.a != index && contact.b != index) continue;
+      contact.pressure = {};
+      contact.friction = {};
+      if constexpr (requires { contact.rolling; }) contact.rolling = {};
+      rouse(detail::BodyPair{contact.a, contact.b});
+    }
+    if constexpr (has_joints) {
+      joints_.for_each_of(index, [&](const detail::BodyPair& pair) { rouse(pair); });
+    }
   }
   template <class Joint>
   [[nodiscard]] constexpr bool can_join(const Joint& joint) const noexcept {

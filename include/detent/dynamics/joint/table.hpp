@@ -46,6 +46,15 @@ struct JointTable {
     --size;
     return pair;
   }
+  /// Calls f(pair) with the bodies of each joint of a body.
+  template <class F>
+  constexpr void for_each_of(std::uint32_t body, const F& f) const {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (list[i].generation == 0) continue;
+      const auto pair = list[i].bodies();
+      if (body == pair.a || body == pair.b) f(pair);
+    }
+  }
   /// Removes the joints of a body; calls f(pair) with the bodies of each.
   template <class F>
   constexpr void take_all_of(std::uint32_t body, const F& f) {

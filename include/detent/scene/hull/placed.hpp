@@ -32,28 +32,6 @@
 
 namespace detent {
 
-/// A transformed convex hull: the hull of its transformed points, each coordinate rounded once from
-/// the exact one and clamped to the range of the scalar.
-///
-/// It has every query of a `ConvexHull`, exact for those points. Each query transforms the points
-/// first, which costs little compared with the query itself.
-///                                                       (tests/scene/asset_instances.test.cpp)
-///
-/// The caller owns the asset, which must outlive it; without one it is empty.
-template <Scalar S, int N>
-struct PlacedHull {
-  const HullAsset<S, N>* asset = nullptr;
-  Transform<S, N> transform{};
-
-  [[nodiscard]] friend constexpr bool operator==(const PlacedHull&,
-                                                 const PlacedHull&) noexcept = default;
-};
-
-template <Scalar S, int N>
-PlacedHull(const HullAsset<S, N>*) -> PlacedHull<S, N>;
-template <Scalar S, int N>
-PlacedHull(const HullAsset<S, N>*, Transform<S, N>) -> PlacedHull<S, N>;
-
 /// Appends to a digest: id and digest of the hull (zeros for none), and the transform.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const PlacedHull<S, N>& hull) noexcept {
