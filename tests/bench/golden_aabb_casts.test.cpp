@@ -4,4 +4,4 @@
 
 using namespace detent::bench;
 
-TEST_CASE("golden: casts of AABBs have their hit counts") { visit_aabb_casts(check_golden); }
+TEST_CASE("golden: casts of AABBs have their hit counts") { visit_casts<MovingAabb>(check_golden); }

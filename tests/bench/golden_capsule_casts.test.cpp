@@ -4,4 +4,6 @@
 
 using namespace detent::bench;
 
-TEST_CASE("golden: casts of capsules have their hit counts") { visit_capsule_casts(check_golden); }
+TEST_CASE("golden: casts of capsules have their hit counts") {
+  visit_casts<MovingCapsule>(check_golden);
+}

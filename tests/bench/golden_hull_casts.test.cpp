@@ -4,4 +4,4 @@
 
 using namespace detent::bench;
 
-TEST_CASE("golden: casts of hulls have their hit counts") { visit_hull_casts(check_golden); }
+TEST_CASE("golden: casts of hulls have their hit counts") { visit_casts<MovingRock>(check_golden); }

@@ -4,4 +4,4 @@
 
 using namespace detent::bench;
 
-TEST_CASE("golden: casts of OBBs have their hit counts") { visit_obb_casts(check_golden); }
+TEST_CASE("golden: casts of OBBs have their hit counts") { visit_casts<MovingObb>(check_golden); }

@@ -4,4 +4,6 @@
 
 using namespace detent::bench;
 
-TEST_CASE("golden: casts of segments have their hit counts") { visit_segment_casts(check_golden); }
+TEST_CASE("golden: casts of segments have their hit counts") {
+  visit_casts<MovingSegment>(check_golden);
+}

@@ -4,4 +4,6 @@
 
 using namespace detent::bench;
 
-TEST_CASE("golden: casts of spheres have their hit counts") { visit_sphere_casts(check_golden); }
+TEST_CASE("golden: casts of spheres have their hit counts") {
+  visit_casts<MovingSphere>(check_golden);
+}

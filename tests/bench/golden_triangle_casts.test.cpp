@@ -5,5 +5,5 @@
 using namespace detent::bench;
 
 TEST_CASE("golden: casts of triangles have their hit counts") {
-  visit_triangle_casts(check_golden);
+  visit_casts<MovingTriangle>(check_golden);
 }

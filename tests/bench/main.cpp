@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "bench/pairs.hpp"
 #include "bench/results.hpp"
 
 namespace detent::bench {
@@ -147,13 +148,20 @@ int run(int count, char** arguments) {
   add_round_contacts(suite);
   add_flat_contacts(suite);
   add_hull_contacts(suite);
-  add_sphere_casts(suite);
-  add_aabb_casts(suite);
-  add_obb_casts(suite);
-  add_triangle_casts(suite);
-  add_capsule_casts(suite);
-  add_hull_casts(suite);
-  add_segment_casts(suite);
+  add_casts<MovingSphere, 3>(suite);
+  add_casts<MovingSphere, 2>(suite);
+  add_casts<MovingAabb, 3>(suite);
+  add_casts<MovingAabb, 2>(suite);
+  add_casts<MovingObb, 3>(suite);
+  add_casts<MovingObb, 2>(suite);
+  add_casts<MovingTriangle, 3>(suite);
+  add_casts<MovingTriangle, 2>(suite);
+  add_casts<MovingCapsule, 3>(suite);
+  add_casts<MovingCapsule, 2>(suite);
+  add_casts<MovingRock, 3>(suite);
+  add_casts<MovingRock, 2>(suite);
+  add_casts<MovingSegment, 3>(suite);
+  add_casts<MovingSegment, 2>(suite);
   add_batches(suite);
   add_baselines(suite);
   add_engines(suite);

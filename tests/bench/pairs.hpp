@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <utility>
 
 #include "bench/queries.hpp"
 
 namespace detent::bench {
 
+class Suite;
+
 // The measured queries of two solid shapes, in their own sources and in four scalars: each takes
-// the compiler two seconds.
+// the compiler several seconds, casts half a minute.
 
 template <Scalar S, int N>
 using MovingSphere = Moving<S, N, Sphere>;
@@ -95,124 +98,188 @@ void visit_hull_contacts(const Visit& visit) {
 
 // Every pair of `cast`: a table for each moving shape and dimension.
 
-template <class Visit>
-void visit_sphere_casts(const Visit& visit) {
-  constexpr TargetRow solid[]{
-      {"cast/sphere_sphere", {2028, 1976}},  {"cast/sphere_aabb", {2046, 1999}},
-      {"cast/sphere_obb", {2006, 1996}},     {"cast/sphere_triangle", {2071, 2062}},
-      {"cast/sphere_capsule", {2011, 2009}}, {"cast/sphere_hull", {2077, 2033}},
-      {"cast/sphere_segment", {2069, 2039}}, {"cast/sphere_plane", {2055, 2013}},
-  };
-  visit_targets<MovingSphere, 3>(visit, ask_cast, solid);
-  constexpr TargetRow planar[]{
-      {"2D cast/sphere_sphere", {2049, 2051}},  {"2D cast/sphere_aabb", {2027, 2113}},
-      {"2D cast/sphere_obb", {1996, 2020}},     {"2D cast/sphere_triangle", {2040, 2022}},
-      {"2D cast/sphere_capsule", {2026, 2038}}, {"2D cast/sphere_hull", {2059, 2021}},
-      {"2D cast/sphere_segment", {2003, 2045}}, {"2D cast/sphere_plane", {1984, 2029}},
-  };
-  visit_targets<MovingSphere, 2>(visit, ask_cast, planar);
+/// The casts of a moving shape: at a sphere, AABB, OBB, triangle, capsule, hull, segment and plane.
+template <template <class, int> class Shape, int N>
+inline constexpr std::array<TargetRow, 8> cast_rows{};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingSphere, 3>{{
+    {"cast/sphere_sphere", {2028, 1976}},
+    {"cast/sphere_aabb", {2046, 1999}},
+    {"cast/sphere_obb", {2006, 1996}},
+    {"cast/sphere_triangle", {2071, 2062}},
+    {"cast/sphere_capsule", {2011, 2009}},
+    {"cast/sphere_hull", {2077, 2033}},
+    {"cast/sphere_segment", {2069, 2039}},
+    {"cast/sphere_plane", {2055, 2014}},
+}};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingSphere, 2>{{
+    {"2D cast/sphere_sphere", {2049, 2051}},
+    {"2D cast/sphere_aabb", {2027, 2113}},
+    {"2D cast/sphere_obb", {1996, 2020}},
+    {"2D cast/sphere_triangle", {2040, 2022}},
+    {"2D cast/sphere_capsule", {2026, 2037}},
+    {"2D cast/sphere_hull", {2059, 2020}},
+    {"2D cast/sphere_segment", {2003, 2045}},
+    {"2D cast/sphere_plane", {1984, 2029}},
+}};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingAabb, 3>{{
+    {"cast/aabb_sphere", {2019, 2093}},
+    {"cast/aabb_aabb", {1985, 2053}},
+    {"cast/aabb_obb", {2097, 2005}},
+    {"cast/aabb_triangle", {2057, 2042}},
+    {"cast/aabb_capsule", {2066, 2047}},
+    {"cast/aabb_hull", {2099, 2049}},
+    {"cast/aabb_segment", {2069, 2073}},
+    {"cast/aabb_plane", {2013, 2052}},
+}};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingAabb, 2>{{
+    {"2D cast/aabb_sphere", {2017, 2014}},
+    {"2D cast/aabb_aabb", {1995, 2033}},
+    {"2D cast/aabb_obb", {2015, 2026}},
+    {"2D cast/aabb_triangle", {2072, 2041}},
+    {"2D cast/aabb_capsule", {2039, 1991}},
+    {"2D cast/aabb_hull", {2073, 2072}},
+    {"2D cast/aabb_segment", {2008, 2161}},
+    {"2D cast/aabb_plane", {2013, 1993}},
+}};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingObb, 3>{{
+    {"cast/obb_sphere", {2035, 2029}},
+    {"cast/obb_aabb", {2062, 2060}},
+    {"cast/obb_obb", {2044, 2082}},
+    {"cast/obb_triangle", {2083, 2065}},
+    {"cast/obb_capsule", {2050, 2049}},
+    {"cast/obb_hull", {2001, 2037}},
+    {"cast/obb_segment", {2123, 2070}},
+    {"cast/obb_plane", {2070, 2069}},
+}};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingObb, 2>{{
+    {"2D cast/obb_sphere", {2031, 2084}},
+    {"2D cast/obb_aabb", {2077, 2047}},
+    {"2D cast/obb_obb", {2099, 2025}},
+    {"2D cast/obb_triangle", {2075, 2013}},
+    {"2D cast/obb_capsule", {2097, 2057}},
+    {"2D cast/obb_hull", {2075, 2043}},
+    {"2D cast/obb_segment", {2026, 2042}},
+    {"2D cast/obb_plane", {2056, 2072}},
+}};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingTriangle, 3>{{
+    {"cast/triangle_sphere", {2050, 2089}},
+    {"cast/triangle_aabb", {2090, 2023}},
+    {"cast/triangle_obb", {1999, 2029}},
+    {"cast/triangle_triangle", {2048, 2094}},
+    {"cast/triangle_capsule", {2053, 2054}},
+    {"cast/triangle_hull", {2078, 2014}},
+    {"cast/triangle_segment", {2120, 2057}},
+    {"cast/triangle_plane", {2061, 2072}},
+}};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingTriangle, 2>{{
+    {"2D cast/triangle_sphere", {2000, 2041}},
+    {"2D cast/triangle_aabb", {1995, 2084}},
+    {"2D cast/triangle_obb", {2031, 2104}},
+    {"2D cast/triangle_triangle", {1979, 2007}},
+    {"2D cast/triangle_capsule", {2036, 2002}},
+    {"2D cast/triangle_hull", {2098, 2047}},
+    {"2D cast/triangle_segment", {2045, 2024}},
+    {"2D cast/triangle_plane", {2064, 2025}},
+}};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingCapsule, 3>{{
+    {"cast/capsule_sphere", {2067, 2019}},
+    {"cast/capsule_aabb", {2110, 2052}},
+    {"cast/capsule_obb", {2084, 2052}},
+    {"cast/capsule_triangle", {2028, 2002}},
+    {"cast/capsule_capsule", {2056, 2013}},
+    {"cast/capsule_hull", {2047, 2041}},
+    {"cast/capsule_segment", {2037, 2034}},
+    {"cast/capsule_plane", {2057, 2065}},
+}};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingCapsule, 2>{{
+    {"2D cast/capsule_sphere", {2099, 2023}},
+    {"2D cast/capsule_aabb", {2063, 2024}},
+    {"2D cast/capsule_obb", {2061, 2051}},
+    {"2D cast/capsule_triangle", {2061, 2029}},
+    {"2D cast/capsule_capsule", {2005, 2039}},
+    {"2D cast/capsule_hull", {2076, 2044}},
+    {"2D cast/capsule_segment", {2060, 2089}},
+    {"2D cast/capsule_plane", {2064, 2108}},
+}};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingRock, 3>{{
+    {"cast/hull_sphere", {2064, 2079}},
+    {"cast/hull_aabb", {2055, 2020}},
+    {"cast/hull_obb", {2018, 2075}},
+    {"cast/hull_triangle", {2051, 2046}},
+    {"cast/hull_capsule", {2048, 2064}},
+    {"cast/hull_hull", {2076, 2025}},
+    {"cast/hull_segment", {2087, 2057}},
+    {"cast/hull_plane", {2067, 2044}},
+}};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingRock, 2>{{
+    {"2D cast/hull_sphere", {2063, 2062}},
+    {"2D cast/hull_aabb", {2044, 2116}},
+    {"2D cast/hull_obb", {2019, 2117}},
+    {"2D cast/hull_triangle", {2078, 2091}},
+    {"2D cast/hull_capsule", {2023, 2028}},
+    {"2D cast/hull_hull", {2026, 2073}},
+    {"2D cast/hull_segment", {2050, 2030}},
+    {"2D cast/hull_plane", {2078, 2031}},
+}};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingSegment, 3>{{
+    {"cast/segment_sphere", {2042, 2103}},
+    {"cast/segment_aabb", {2022, 2029}},
+    {"cast/segment_obb", {2006, 2038}},
+    {"cast/segment_triangle", {2114, 2081}},
+    {"cast/segment_capsule", {2033, 2087}},
+    {"cast/segment_hull", {2105, 2051}},
+    {"cast/segment_segment", {2027, 2070}},
+    {"cast/segment_plane", {2054, 2044}},
+}};
+template <>
+inline constexpr std::array<TargetRow, 8> cast_rows<MovingSegment, 2>{{
+    {"2D cast/segment_sphere", {2050, 2036}},
+    {"2D cast/segment_aabb", {2060, 2056}},
+    {"2D cast/segment_obb", {2044, 2066}},
+    {"2D cast/segment_triangle", {2027, 2033}},
+    {"2D cast/segment_capsule", {2046, 2002}},
+    {"2D cast/segment_hull", {2078, 2071}},
+    {"2D cast/segment_segment", {2034, 1982}},
+    {"2D cast/segment_plane", {2109, 2097}},
+}};
+
+/// Visits the cast of a shape at a target, 0 to 7.
+template <template <class, int> class Shape, int N, int Target, class Visit>
+void visit_cast(const Visit& visit) {
+  visit_target<Shape, N, Target>(visit, ask_cast, cast_rows<Shape, N>[Target]);
 }
-template <class Visit>
-void visit_aabb_casts(const Visit& visit) {
-  constexpr TargetRow solid[]{
-      {"cast/aabb_sphere", {2019, 2092}},  {"cast/aabb_aabb", {1985, 2053}},
-      {"cast/aabb_obb", {2097, 2006}},     {"cast/aabb_triangle", {2057, 2041}},
-      {"cast/aabb_capsule", {2066, 2046}}, {"cast/aabb_hull", {2099, 2049}},
-      {"cast/aabb_segment", {2069, 2073}}, {"cast/aabb_plane", {2013, 2052}},
-  };
-  visit_targets<MovingAabb, 3>(visit, ask_cast, solid);
-  constexpr TargetRow planar[]{
-      {"2D cast/aabb_sphere", {2017, 2015}},  {"2D cast/aabb_aabb", {1995, 2033}},
-      {"2D cast/aabb_obb", {2015, 2024}},     {"2D cast/aabb_triangle", {2072, 2040}},
-      {"2D cast/aabb_capsule", {2039, 1991}}, {"2D cast/aabb_hull", {2073, 2072}},
-      {"2D cast/aabb_segment", {2008, 2161}}, {"2D cast/aabb_plane", {2013, 1993}},
-  };
-  visit_targets<MovingAabb, 2>(visit, ask_cast, planar);
+/// Visits all casts of a shape.
+template <template <class, int> class Shape, class Visit>
+void visit_casts(const Visit& visit) {
+  [&]<int... Target>(std::integer_sequence<int, Target...>) {
+    (visit_cast<Shape, 3, Target>(visit), ...);
+    (visit_cast<Shape, 2, Target>(visit), ...);
+  }
+  (std::make_integer_sequence<int, 8>());
 }
-template <class Visit>
-void visit_obb_casts(const Visit& visit) {
-  constexpr TargetRow solid[]{
-      {"cast/obb_sphere", {2035, 2030}},  {"cast/obb_aabb", {2062, 2059}},
-      {"cast/obb_obb", {2044, 2082}},     {"cast/obb_triangle", {2083, 2065}},
-      {"cast/obb_capsule", {2050, 2049}}, {"cast/obb_hull", {2001, 2037}},
-      {"cast/obb_segment", {2123, 2070}}, {"cast/obb_plane", {2070, 2069}},
-  };
-  visit_targets<MovingObb, 3>(visit, ask_cast, solid);
-  constexpr TargetRow planar[]{
-      {"2D cast/obb_sphere", {2031, 2084}},  {"2D cast/obb_aabb", {2077, 2047}},
-      {"2D cast/obb_obb", {2099, 2025}},     {"2D cast/obb_triangle", {2075, 2013}},
-      {"2D cast/obb_capsule", {2097, 2057}}, {"2D cast/obb_hull", {2075, 2042}},
-      {"2D cast/obb_segment", {2026, 2042}}, {"2D cast/obb_plane", {2056, 2072}},
-  };
-  visit_targets<MovingObb, 2>(visit, ask_cast, planar);
-}
-template <class Visit>
-void visit_triangle_casts(const Visit& visit) {
-  constexpr TargetRow solid[]{
-      {"cast/triangle_sphere", {2050, 2089}},  {"cast/triangle_aabb", {2090, 2023}},
-      {"cast/triangle_obb", {1999, 2029}},     {"cast/triangle_triangle", {2048, 2093}},
-      {"cast/triangle_capsule", {2053, 2054}}, {"cast/triangle_hull", {2078, 2014}},
-      {"cast/triangle_segment", {2120, 2057}}, {"cast/triangle_plane", {2061, 2072}},
-  };
-  visit_targets<MovingTriangle, 3>(visit, ask_cast, solid);
-  constexpr TargetRow planar[]{
-      {"2D cast/triangle_sphere", {2000, 2041}},  {"2D cast/triangle_aabb", {1995, 2084}},
-      {"2D cast/triangle_obb", {2031, 2104}},     {"2D cast/triangle_triangle", {1979, 2008}},
-      {"2D cast/triangle_capsule", {2036, 2002}}, {"2D cast/triangle_hull", {2098, 2047}},
-      {"2D cast/triangle_segment", {2045, 2024}}, {"2D cast/triangle_plane", {2064, 2025}},
-  };
-  visit_targets<MovingTriangle, 2>(visit, ask_cast, planar);
-}
-template <class Visit>
-void visit_capsule_casts(const Visit& visit) {
-  constexpr TargetRow solid[]{
-      {"cast/capsule_sphere", {2067, 2018}},  {"cast/capsule_aabb", {2110, 2052}},
-      {"cast/capsule_obb", {2084, 2053}},     {"cast/capsule_triangle", {2028, 2002}},
-      {"cast/capsule_capsule", {2057, 2013}}, {"cast/capsule_hull", {2048, 2042}},
-      {"cast/capsule_segment", {2037, 2036}}, {"cast/capsule_plane", {2057, 2065}},
-  };
-  visit_targets<MovingCapsule, 3>(visit, ask_cast, solid);
-  constexpr TargetRow planar[]{
-      {"2D cast/capsule_sphere", {2099, 2022}},  {"2D cast/capsule_aabb", {2063, 2024}},
-      {"2D cast/capsule_obb", {2061, 2051}},     {"2D cast/capsule_triangle", {2061, 2029}},
-      {"2D cast/capsule_capsule", {2005, 2039}}, {"2D cast/capsule_hull", {2076, 2044}},
-      {"2D cast/capsule_segment", {2060, 2089}}, {"2D cast/capsule_plane", {2064, 2108}},
-  };
-  visit_targets<MovingCapsule, 2>(visit, ask_cast, planar);
-}
-template <class Visit>
-void visit_hull_casts(const Visit& visit) {
-  constexpr TargetRow solid[]{
-      {"cast/hull_sphere", {2064, 2079}},  {"cast/hull_aabb", {2055, 2020}},
-      {"cast/hull_obb", {2018, 2075}},     {"cast/hull_triangle", {2051, 2047}},
-      {"cast/hull_capsule", {2048, 2064}}, {"cast/hull_hull", {2076, 2025}},
-      {"cast/hull_segment", {2087, 2057}}, {"cast/hull_plane", {2067, 2044}},
-  };
-  visit_targets<MovingRock, 3>(visit, ask_cast, solid);
-  constexpr TargetRow planar[]{
-      {"2D cast/hull_sphere", {2063, 2061}},  {"2D cast/hull_aabb", {2044, 2116}},
-      {"2D cast/hull_obb", {2019, 2117}},     {"2D cast/hull_triangle", {2078, 2091}},
-      {"2D cast/hull_capsule", {2023, 2028}}, {"2D cast/hull_hull", {2026, 2073}},
-      {"2D cast/hull_segment", {2050, 2029}}, {"2D cast/hull_plane", {2078, 2031}},
-  };
-  visit_targets<MovingRock, 2>(visit, ask_cast, planar);
-}
-template <class Visit>
-void visit_segment_casts(const Visit& visit) {
-  constexpr TargetRow solid[]{
-      {"cast/segment_sphere", {2042, 2103}},  {"cast/segment_aabb", {2022, 2029}},
-      {"cast/segment_obb", {2006, 2038}},     {"cast/segment_triangle", {2114, 2082}},
-      {"cast/segment_capsule", {2033, 2086}}, {"cast/segment_hull", {2105, 2051}},
-      {"cast/segment_segment", {2027, 2070}}, {"cast/segment_plane", {2054, 2044}},
-  };
-  visit_targets<MovingSegment, 3>(visit, ask_cast, solid);
-  constexpr TargetRow planar[]{
-      {"2D cast/segment_sphere", {2050, 2036}},  {"2D cast/segment_aabb", {2060, 2056}},
-      {"2D cast/segment_obb", {2044, 2066}},     {"2D cast/segment_triangle", {2027, 2033}},
-      {"2D cast/segment_capsule", {2046, 2002}}, {"2D cast/segment_hull", {2078, 2071}},
-      {"2D cast/segment_segment", {2034, 1982}}, {"2D cast/segment_plane", {2109, 2097}},
-  };
-  visit_targets<MovingSegment, 2>(visit, ask_cast, planar);
+
+/// Adds one to a suite: casts.cpp, in an object of its own.
+template <template <class, int> class Shape, int N, int Target>
+void add_cast(Suite& suite);
+template <template <class, int> class Shape, int N>
+void add_casts(Suite& suite) {
+  [&]<int... Target>(std::integer_sequence<int, Target...>) {
+    (add_cast<Shape, N, Target>(suite), ...);
+  }
+  (std::make_integer_sequence<int, 8>());
 }
 
 }  // namespace detent::bench

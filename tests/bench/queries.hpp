@@ -189,17 +189,26 @@ struct TargetRow {
   std::string_view name;
   Golden golden;
 };
-/// Visits the queries of a shape and of every target of casts.
-template <template <class, int> class Shape, int N, class Visit, class Ask>
-void visit_targets(const Visit& visit, const Ask& ask, const TargetRow (&rows)[8]) {
-  visit(query<Shape, Sphere, N>(rows[0].name, ask, rows[0].golden));
-  visit(query<Shape, Aabb, N>(rows[1].name, ask, rows[1].golden));
-  visit(query<Shape, Obb, N>(rows[2].name, ask, rows[2].golden));
-  visit(query<Shape, Triangle, N>(rows[3].name, ask, rows[3].golden));
-  visit(query<Shape, Capsule, N>(rows[4].name, ask, rows[4].golden));
-  visit(query<Shape, Rock, N>(rows[5].name, ask, rows[5].golden));
-  visit(query<Shape, Segment, N>(rows[6].name, ask, rows[6].golden));
-  visit(query<Shape, Plane, N>(rows[7].name, ask, rows[7].golden));
+/// Visits the query of a shape and a target of casts, 0 to 7.
+template <template <class, int> class Shape, int N, int Target, class Visit, class Ask>
+void visit_target(const Visit& visit, const Ask& ask, const TargetRow& row) {
+  if constexpr (Target == 0) {
+    visit(query<Shape, Sphere, N>(row.name, ask, row.golden));
+  } else if constexpr (Target == 1) {
+    visit(query<Shape, Aabb, N>(row.name, ask, row.golden));
+  } else if constexpr (Target == 2) {
+    visit(query<Shape, Obb, N>(row.name, ask, row.golden));
+  } else if constexpr (Target == 3) {
+    visit(query<Shape, Triangle, N>(row.name, ask, row.golden));
+  } else if constexpr (Target == 4) {
+    visit(query<Shape, Capsule, N>(row.name, ask, row.golden));
+  } else if constexpr (Target == 5) {
+    visit(query<Shape, Rock, N>(row.name, ask, row.golden));
+  } else if constexpr (Target == 6) {
+    visit(query<Shape, Segment, N>(row.name, ask, row.golden));
+  } else if constexpr (Target == 7) {
+    visit(query<Shape, Plane, N>(row.name, ask, row.golden));
+  }
 }
 
 }  // namespace detent::bench

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/kernel/box_touch.hpp"
 
+#include <array>
+
 #include "detent/query/cast/motion.hpp"
 #include "detent/query/cast/touch.hpp"
 #include "query/kernel/boxes_and_segments.hpp"
@@ -127,6 +129,54 @@ TEMPLATE_TEST_CASE("box touch: what it is sure of is exact in 2D", "[query]", q1
     CHECK(rates.hits.percent() >= 30);
     if (bits >= 14) CHECK(rates.sure.percent() >= 80);
   }
+}
+
+/// Squares that sum to a square: the point is at exactly the radius from a face, an edge or a corner,
+/// but for a few of the filter's steps, at a time of the grid.
+TEMPLATE_TEST_CASE("box touch: touches within its error are left to the exact search", "[query]",
+                   q16_16, q24_8) {
+  using S = TestType;
+  constexpr std::array<std::array<std::int64_t, 4>, 3> lengths{
+      {{3, 4, 0, 5}, {2, 3, 6, 7}, {1, 2, 2, 3}}};
+  Random random(29);
+  Rates near, apart;
+  const auto number = [&](std::int64_t low, std::int64_t high) {
+    return S::from_raw(static_cast<typename S::raw_type>(random.between(low, high)));
+  };
+  for (int i = 0; i < 300; ++i) {
+    CAPTURE(i);
+    const auto extent = [&](int) { return number(1 << 16, 1 << 17); };
+    const Obb<S, 3> box{{}, make_vec<3>(extent), random_turn<S>(random, 32)};
+    const auto slabs = detail::slab_body(box);
+    const auto direction = direction_of<S>(make_vec<3>([&](int) {
+                             return number(-99, 99);
+                           })).value_or(Direction<S, 3>::along(0));
+    const auto way = detail::way_in_frame(box, direction);
+    const S time = number(1 << 10, 1 << 20);
+    const auto& length = lengths[random.below(3)];
+    const auto scale = random.between(1, 1 << 10);
+    const bool is_near = random.coin();
+    auto place = detail::in_frame(box, box.center);
+    using Place = std::remove_cvref_t<decltype(place.x)>;
+    for (int k = 0; k < 3; ++k) {
+      // The excess of the place over the box is `length` against the motion.
+      const S v = S::from_raw(
+          static_cast<typename S::raw_type>(length[static_cast<std::size_t>(k)] * scale));
+      const auto moved = way[k] * time;
+      const auto few = random.between(0, is_near ? 2 : 1 << 12);
+      const auto more = Fixed<16, Place::frac>::from_raw(static_cast<std::int16_t>(few));
+      place[k] = v == 0       ? floor_to<Place>(-moved)
+                 : way[k] > 0 ? floor_to<Place>(slabs.low()[k] - v - moved - more)
+                              : floor_to<Place>(slabs.high()[k] + v - moved + more);
+    }
+    const S radius = S::from_raw(static_cast<typename S::raw_type>(length[3] * scale));
+    compare(detail::HullBody(std::array{place}), slabs, way, detail::FromFrame<S, 3>{box.rotation},
+            radius, largest<S>, is_near ? near : apart);
+  }
+  INFO("near: hits " << near.hits << ", sure " << near.sure << "; apart: sure " << apart.sure);
+  CHECK(near.hits.percent() >= 90);
+  CHECK(near.sure.percent() <= 60);
+  CHECK(apart.sure.percent() >= 80);
 }
 
 }  // namespace

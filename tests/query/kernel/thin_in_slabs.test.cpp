@@ -46,7 +46,8 @@ TEMPLATE_TEST_CASE("thin in slabs: what it is sure of is exact", "[query]", q16_
       });
       INFO(bits << ": sure " << sure);
       CHECK(sure.percent() < 100);
-      if (bits >= 12 && bits < S::bits) CHECK(sure.percent() >= 50);
+      // Most of the others meet. Without bisection it would be sure of a fifth less.
+      if (bits >= 12 && bits < S::bits) CHECK(sure.percent() >= 65);
     }
   }
 }
@@ -114,7 +115,7 @@ TEST_CASE("thin in slabs: what it is sure of is exact in 2D", "[query]") {
     }
     INFO(bits << ": sure " << sure);
     CHECK(sure.percent() < 100);
-    if (bits >= 12) CHECK(sure.percent() >= 50);
+    if (bits >= 12) CHECK(sure.percent() >= 75);
   }
 }
 

@@ -78,7 +78,7 @@ class HullBody {
                                                    bool farthest) const noexcept {
     const auto along = [&](const Vec<S, N>& point) { return dot(v, narrow<Bits>(point - from)); };
     const Vec<S, N>* best = &points_.front();
-    auto reached = along(*best);
+    auto reached = front_along<Bits>(v, from);
     for (const auto& point : std::span(points_).subspan(1)) {
       const auto place = along(point);
       if (farthest ? place > reached : place < reached) {
@@ -105,7 +105,7 @@ class HullBody {
   constexpr void find_extreme(const Vec<V, N>& v, const Vec<T, N>& from, bool farthest,
                               const F& f) const noexcept {
     const auto along = [&](const Vec<S, N>& point) { return dot(v, narrow<Bits>(point - from)); };
-    auto reached = along(points_.front());
+    auto reached = front_along<Bits>(v, from);
     f(points_.front(), true);
     for (const auto& point : std::span(points_).subspan(1)) {
       const auto place = along(point);
@@ -116,6 +116,17 @@ class HullBody {
   }
 
  private:
+  /// dot(v, front - from), without its long products if `from` is the front, as it often is.
+  template <int Bits, Number V, Number T>
+  [[nodiscard]] constexpr auto front_along(const Vec<V, N>& v,
+                                           const Vec<T, N>& from) const noexcept {
+    using Along = decltype(dot(v, narrow<Bits>(some() - from)));
+    if constexpr (is_fixed<S> && std::same_as<S, T>) {
+      if (some() == from) return Along();
+    }
+    return dot(v, narrow<Bits>(some() - from));
+  }
+
   Points points_;
 };
 template <Scalar S, int N>

@@ -88,9 +88,11 @@ class ThinInSlabs {
       return;
     }
     if (!(first < -margin) || !(last > margin)) return;
-    // Newton's method on the derivative, from where a line between its ends is 0.
+    // Newton's method on the derivative, from where a line between its ends is 0, with bisection
+    // where a step leaves the part of the segment in which its sign changes.
     go_to(narrow_negative(first), narrow<126>(last - first));
-    for (int i = 0; i < 6; ++i) {
+    auto from = Places(), to = d_;
+    for (int i = 0; i < 10; ++i) {
       Places bound{}, speed{};
       for (int k = 0; k < N; ++k) {
         if (side(k) == 0) continue;
@@ -98,17 +100,34 @@ class ThinInSlabs {
         speed[k] = d_[k];
       }
       const Dot over = narrow_dot<126>(bound, speed), under = narrow_dot<126>(speed, speed);
-      if (!(over > 0 && over < under)) return;
       const auto before = x_;
-      go_to(over, under);
-      bool is_same = true;
-      for (int k = 0; k < N; ++k) is_same = is_same && side_of(before, k) == side(k);
-      if (!is_same) continue;
-      // m^2 / 2^16 in the steps of u^2.
-      const auto part = narrow_floor<Fixed<126, 2 * frac - 16>>(square(longest));
-      if (part.raw() <= under.raw() && are_sure()) closest_at_ = ClosestAt::between;
-      return;
+      const bool is_on_segment = over > 0 && over < under;
+      if (is_on_segment) {
+        go_to(over, under);
+        bool is_same = true;
+        for (int k = 0; k < N; ++k) is_same = is_same && side_of(before, k) == side(k);
+        if (is_same) {
+          // m^2 / 2^16 in the steps of u^2.
+          const auto part = narrow_floor<Fixed<126, 2 * frac - 16>>(square(longest));
+          if (part.raw() <= under.raw() && are_sure()) closest_at_ = ClosestAt::between;
+          return;
+        }
+      }
+      (rise_at(before) < Dot() ? from : to) = before;
+      if (!is_on_segment || !is_between(from, to, longest)) x_ = middle(from, to);
     }
+  }
+  [[nodiscard]] static constexpr Places middle(const Places& a, const Places& b) noexcept {
+    return make_vec<N>([&](int i) {
+      return Place::assume_raw(shift_right_floor(narrow_sum<63>(a[i], b[i]).raw(), 1));
+    });
+  }
+  /// Whether x is between two points of the segment, by its longest component.
+  [[nodiscard]] constexpr bool is_between(const Places& a, const Places& b,
+                                          const Place& longest) const noexcept {
+    int k = 0;
+    while (magnitude(d_[k]) < longest) ++k;
+    return d_[k] > 0 ? a[k] < x_[k] && x_[k] < b[k] : b[k] < x_[k] && x_[k] < a[k];
   }
   [[nodiscard]] constexpr int side_of(const Places& x, int i) const noexcept {
     return x[i] < low_[i] ? -1 : x[i] > high_[i] ? 1 : 0;

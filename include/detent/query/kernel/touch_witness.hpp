@@ -220,7 +220,8 @@ class TouchWitness {
     const auto& corner = simplex.newest();
     const auto place = moved(corner, time);
     const auto is_least_along = [&](const auto& v) {
-      return !(dot(v, least_along(v)) < dot(v, corner));
+      const auto least = least_along(v);
+      return least == corner || !(dot(v, least) < dot(v, corner));
     };
     if (feature.count == 1) {
       return is_least_along(place) && f(place, RationalPoint{place * Rough(1), Rough(1)});
