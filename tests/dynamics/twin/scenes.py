@@ -77,6 +77,10 @@ def step(world, tick):
             world.end(world.joints[index])
         elif what == "change":
             world.change(world.joints[index], joint_keys(list(numbers), world.num, 2 if world.n == 2 else 4))
+        elif what == "place":
+            world.place(index, place=[world.num(x) for x in numbers])
+        elif what == "turned":
+            world.place(index, q=read_turn(world.n, list(numbers), what, world.f)[1])
         elif what in ("velocity", "spin"):
             world.set_motion(index, what, [world.num(x) for x in numbers])
         else:

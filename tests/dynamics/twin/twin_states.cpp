@@ -98,6 +98,10 @@ class Stage {
       change<WeldJoint<S, N>>(joints_.at(index), in);
       change<SliderJoint<S, N>>(joints_.at(index), in);
       change<WheelJoint<S, N>>(joints_.at(index), in);
+    } else if (what == "place") {
+      (void)world_.set_position(ids_.at(index), vector<N>(in));
+    } else if (what == "turned") {
+      (void)world_.set_rotation(ids_.at(index), turned<N>(in));
     } else if (what == "velocity") {
       world_.set_velocity(ids_.at(index), vector<N>(in));
     } else if (what == "spin") {

@@ -72,6 +72,24 @@ class World:
             b.w = [self.f.spin.quotient(w, self.rate, self.f.F) for w in numbers]
         b.sleeps, b.quiet = False, 0
 
+    def place(self, index, place=None, q=None):
+        """Puts a body elsewhere, or turns it."""
+        b = self.bodies[index]
+        if place:
+            b.x = [self.f.place.near(x, self.f.F) for x in place]
+        if q and not (b.shape.kind == "surface" and b.shape.is_solid):
+            b.q = list(q)
+        b.drift, b.lean = [0] * self.n, [0] * len(b.w)
+        self.rouse([index])
+        for key, c in self.contacts.items():
+            if index in key[:2]:
+                c.pressure = [0] * c.count
+                c.friction, c.rolling = [0] * len(c.friction), [0] * len(c.rolling)
+                self.rouse(key[:2])
+        for joint in self.joints:
+            if joint and index in (joint.a, joint.b):
+                self.rouse((joint.a, joint.b))
+
     def push_body(self, index, what, numbers):
         """Applies forces, torques and impulses."""
         b, f, n = self.bodies[index], self.f, self.n
