@@ -139,4 +139,44 @@ TEMPLATE_TEST_CASE("four bodies: supports and carried spins have the bits of eac
   CHECK(carried > rounds * 0.4);
 }
 
+/// Places have 32 bits in q8_8 and 64 in the others.
+TEMPLATE_TEST_CASE("four bodies: supports are those in memory in every scalar", "", q16_16, q14_16,
+                   q24_8, q8_8) {
+  using T = TestType;
+  using L = detail::ArrayLongLanes;
+  Random random(0x4f3);
+  const auto draw = [&]<class Number>(Number& x) {
+    const auto end = std::int64_t{1} << Number::bits;
+    x = Number::assume_raw(static_cast<typename Number::raw_type>(random.between(-end, end - 1)));
+  };
+  for (int i = 0; i < 100; ++i) {
+    std::array<detail::Support<T, 3>, 4> supports;
+    for (auto& support : supports) {
+      for (int k = 0; k < 3; ++k) draw(support.place[k]);
+      for (auto& x : support.spread) draw(x);
+      for (auto& axis : support.axes) {
+        for (int k = 0; k < 3; ++k) draw(axis[k]);
+      }
+    }
+    const detail::FourSupports<T, L> four(supports.data(), {2, 0, 3, 1});
+    const auto are_equal = [](const auto& lanes, const auto& get) {
+      using Number = std::remove_cvref_t<decltype(get(0))>;
+      detail::Quad<Number> numbers;
+      lanes.store(numbers);
+      return numbers == detail::Quad<Number>{get(2), get(0), get(3), get(1)};
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      REQUIRE(are_equal(four.place[k],
+                        [&](std::size_t b) { return supports[b].place[static_cast<int>(k)]; }));
+      for (std::size_t a = 0; a < 3; ++a) {
+        REQUIRE(are_equal(four.axes[a][k],
+                          [&](std::size_t b) { return supports[b].axes[a][static_cast<int>(k)]; }));
+      }
+    }
+    for (std::size_t e = 0; e < 6; ++e) {
+      REQUIRE(are_equal(four.spread[e], [&](std::size_t b) { return supports[b].spread[e]; }));
+    }
+  }
+}
+
 }  // namespace detent::test

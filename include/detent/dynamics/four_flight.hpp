@@ -24,11 +24,24 @@ template <class L, class T>
   };
   return L::load({at(0), at(1), at(2), at(3)});
 }
-/// Half i of the words, with its sign.
-template <class L>
-[[nodiscard]] L half_of(const std::array<L, 4>& words, std::size_t i) noexcept {
-  const L& word = words[i / 2];
-  return i % 2 == 0 ? word.lower() : word.upper();
+/// Number i of an array of T that starts with these words: half a word each, or a whole one. A
+/// coordinate of a center is either, depending on the scalar.
+template <class T, class L>
+[[nodiscard]] Four<T, L> number_of(const std::array<L, 4>& words, std::size_t i) noexcept {
+  static_assert(sizeof(T) == 4 || sizeof(T) == 8);
+  if constexpr (sizeof(T) == 8) {
+    return Four<T, L>(words[i]);
+  } else {
+    const L& word = words[i / 2];
+    return Four<T, L>(i % 2 == 0 ? word.lower() : word.upper());
+  }
+}
+/// The same for one of six numbers of 64 bits, of which `rest` starts with the third.
+template <class T, class L>
+[[nodiscard]] Four<T, L> number_of(const std::array<L, 4>& first, const std::array<L, 4>& rest,
+                                   std::size_t i) noexcept {
+  static_assert(sizeof(T) == 8);
+  return i < 4 ? number_of<T>(first, i) : number_of<T>(rest, i - 2);
 }
 
 template <class L, Scalar S>
@@ -36,7 +49,8 @@ template <class L, Scalar S>
   static_assert(!is_fixed<S> || sizeof(Axes<S, 3>) == 36);
   const auto some = words_at<L>(axes, 0), last = words_at<L>(axes, 4);
   const auto at = [&](std::size_t i) {
-    return Four<typename Formats<S>::Ratio, L>(i == 8 ? half_of(last, 7) : half_of(some, i));
+    using Ratio = typename Formats<S>::Ratio;
+    return i == 8 ? number_of<Ratio>(last, 7) : number_of<Ratio>(some, i);
   };
   return {{{at(0), at(1), at(2)}, {at(3), at(4), at(5)}, {at(6), at(7), at(8)}}};
 }
@@ -136,7 +150,7 @@ template <class L, int Halvings, Scalar S>
   using State = BodyState<S, 3>;
   const auto words = words_at<L>(states, offsetof(State, orientation));
   std::array<Four<Ratio, L>, 4> q;
-  for (std::size_t i = 0; i < 4; ++i) q[i].raw = half_of(words, i);
+  for (std::size_t i = 0; i < 4; ++i) q[i] = number_of<Ratio>(words, i);
   FourRounder<L> round;
   const auto motions = FourBodies<S, L>(moving, indices).motions();
   const auto turned = turned_four<Halvings, S, L>(q, motions.spin, round);
@@ -223,7 +237,7 @@ template <class L, Scalar S, class Body>
     using State = BodyState<S, 3>;
     const auto words = words_at<L>(states, offsetof(State, orientation));
     std::array<Four<typename F::Ratio, L>, 4> q;
-    for (std::size_t i = 0; i < 4; ++i) q[i].raw = half_of(words, i);
+    for (std::size_t i = 0; i < 4; ++i) q[i] = number_of<typename F::Ratio>(words, i);
     return axes_of_four<S, L>(q, round);
   };
   const FourAxes<S, L> axes = has_axes ? load_axes<L, S>({&supports[0]->axes, &supports[1]->axes,
@@ -233,7 +247,7 @@ template <class L, Scalar S, class Body>
   for (std::size_t k = 0; k < long_lane_count; ++k) inverses[k] = &bodies[k]->inertia.inverse;
   const auto first = words_at<L>(inverses, 0), rest = words_at<L>(inverses, 16);
   std::array<Four<Gyration, L>, 6> inverse;
-  for (std::size_t i = 0; i < 6; ++i) inverse[i].raw = i < 4 ? first[i] : rest[i - 2];
+  for (std::size_t i = 0; i < 6; ++i) inverse[i] = number_of<Gyration>(first, rest, i);
   const auto spread = in_world_four<S, L>(inverse, axes, round);
   if (round.is_beyond()) return false;
   if (!has_axes) {
@@ -306,8 +320,10 @@ struct FourSupports {
     const auto places = words_at<L>(at, offsetof(Support, place));
     const auto first = words_at<L>(at, offsetof(Support, spread));
     const auto rest = words_at<L>(at, offsetof(Support, spread) + 16);
-    for (std::size_t i = 0; i < 3; ++i) place[i].raw = places[i];
-    for (std::size_t i = 0; i < 6; ++i) spread[i].raw = i < 4 ? first[i] : rest[i - 2];
+    for (std::size_t i = 0; i < 3; ++i) place[i] = number_of<typename F::Place>(places, i);
+    for (std::size_t i = 0; i < 6; ++i) {
+      spread[i] = number_of<typename F::Gyration>(first, rest, i);
+    }
   }
 };
 
@@ -345,7 +361,7 @@ template <class L, Scalar S>
     for (std::size_t j = 0; j < 3; ++j) {
       if (turns.are_diagonal && i != j) continue;
       const auto e = entry<3>(static_cast<int>(i), static_cast<int>(j));
-      sum.add(Four<Ratio, L>(half_of(shares, e)), turning[j]);
+      sum.add(number_of<Ratio>(shares, e), turning[j]);
     }
     momentum[i] = round.template nearest<FineSpin>(sum);
   }
@@ -353,7 +369,7 @@ template <class L, Scalar S>
   const auto after = into_four<FineSpin, S, FineSpin, L>(to, long_of(in_space), round);
   const auto stretch = [&](std::size_t i, std::size_t j) {
     const auto e = entry<3>(static_cast<int>(i), static_cast<int>(j));
-    return Four<typename F::Stretch, L>(e < 4 ? stretches[e] : more_stretches[e - 2]);
+    return number_of<typename F::Stretch>(stretches, more_stretches, e);
   };
   for (std::size_t i = 0; i < 3; ++i) {
     turning_after[i] = turns.are_diagonal
