@@ -82,9 +82,9 @@ Scene<S, N> heavy_top(double weight, int substeps, double sleep_speed = 0,
 template <Scalar S>
 Scene<S, 2> pyramid(int base, int substeps, double sleep_speed = 0) {
   Scene<S, 2> scene(substeps, sleep_speed);
-  for (int level = 0; level < base; ++level) {
-    for (int i = 0; i < base - level; ++i) {
-      scene.add(box_at<S, 2>(-0.5 * base + 0.55 * level + 1.1 * i, 0.5 + level, 0.5, 0.5));
+  for (int row = 0; row < base; ++row) {
+    for (int i = 0; i < base - row; ++i) {
+      scene.add(box_at<S, 2>(-0.5 * base + 0.55 * row + 1.1 * i, 0.5 + row, 0.5, 0.5));
     }
   }
   return scene;
@@ -101,8 +101,8 @@ Scene<S, 2> house_of_cards(int levels, int substeps, double sleep_speed = 0,
   const double height = 2 * (tall * std::cos(lean) + thin * std::sin(lean));
   const double span = 2 * (tall * std::sin(lean) + thin * std::cos(lean));
   double floor = 0;
-  for (int level = 0; level < levels; ++level) {
-    const int tents = levels - level;
+  for (int storey = 0; storey < levels; ++storey) {
+    const int tents = levels - storey;
     const double first = -(tents - 1) * span;
     for (int i = 0; i < tents; ++i) {
       const double x = first + 2 * span * i;
