@@ -26,6 +26,7 @@
 #include "detent/dynamics/rolling.hpp"
 #include "detent/dynamics/solve.hpp"
 #include "detent/dynamics/threads.hpp"
+#include "detent/number/next_up.hpp"
 #include "detent/scene/one_of.hpp"
 
 namespace detent::detail {
