@@ -13,11 +13,6 @@ namespace {
 
 using S = q16_16;
 
-template <int N>
-struct Dim {
-  static constexpr int value = N;
-};
-
 template <class Lines>
 bool are_equal(const Lines& a, const Lines& b) {
   if (a.size() != b.size()) return false;

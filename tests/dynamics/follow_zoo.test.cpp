@@ -17,11 +17,6 @@ namespace {
 
 using S = q16_16;
 
-template <int N>
-struct Dim {
-  static constexpr int value = N;
-};
-
 struct All {
   bool operator()(const BodyInfo&) const noexcept { return true; }
 };

@@ -13,11 +13,6 @@ namespace {
 
 using S = q16_16;
 
-template <int N>
-struct Dim {
-  static constexpr int value = N;
-};
-
 /// Whether two points are the same but for `ulps` along each axis.
 template <int N>
 bool is_near(const Vec<S, N>& a, const Vec<S, N>& b, int ulps) {

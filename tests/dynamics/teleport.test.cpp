@@ -12,11 +12,6 @@ namespace {
 
 using S = q16_16;
 
-template <int N>
-struct Dim {
-  static constexpr int value = N;
-};
-
 template <class World>
 void step(World& world, int ticks) {
   for (int i = 0; i < ticks; ++i) world.step();

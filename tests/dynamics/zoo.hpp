@@ -12,6 +12,12 @@
 
 namespace detent::test {
 
+/// A dimension, as a parameter of a test case.
+template <int N>
+struct Dim {
+  static constexpr int value = N;
+};
+
 template <Scalar S, int N>
 struct ZooWorld {
   using Type = World<S, 3, Sphere, Capsule, Aabb, Obb, BodyHull, BodyCompound, BodyMesh,

@@ -78,9 +78,7 @@ constexpr void note_hold(BodyRecord<S, N, Shape>& body, const Moving<S, N>& movi
                          const Pace<S, N>& pace) noexcept {
   body.drift = moving.shift;
   body.lean = moving.turn;
-  if (is_within_hold(body, pace)) return;
-  body.drift = {};
-  body.lean = {};
+  if (!is_within_hold(body, pace)) body.hold_here();
 }
 
 }  // namespace detent::detail

@@ -121,6 +121,11 @@ struct BodyRecord {
   [[nodiscard]] constexpr bool is_held() const noexcept {
     return !(drift == Vec<typename F::Speed, N>() && lean == Axial<typename F::Spin, N>());
   }
+  /// Holds it where it is.
+  constexpr void hold_here() noexcept {
+    drift = {};
+    lean = {};
+  }
 };
 
 /// The number of parts of a compound; 0 for other bodies.

@@ -346,8 +346,7 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
       in.get(body.push);
       for (auto& w : body.twist) in.get(w);
     }
-    body.drift = {};
-    body.lean = {};
+    body.hold_here();
     const bool is_held = word >> 31 != 0;
     if (is_held) {
       in.get(body.drift);

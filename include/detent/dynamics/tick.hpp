@@ -268,8 +268,7 @@ class Tick {
     for (int k = 0; k < N; ++k) {
       if (!is_locked(body.locked, k)) body.state.place[k] = place[k];
     }
-    body.drift = {};
-    body.lean = {};
+    body.hold_here();
     body.sleeps = false;
     body.quiet = 0;
   }

@@ -504,8 +504,7 @@ class BasicWorld {
   /// Wakes a body that was moved, and those that it touched or is joined to.
   constexpr void disturb(std::uint32_t index) noexcept {
     rouse(bodies_[index]);
-    bodies_[index].drift = {};
-    bodies_[index].lean = {};
+    bodies_[index].hold_here();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       auto& contact = contacts_[i];
       if (contact.a != index && contact.b != index) continue;
