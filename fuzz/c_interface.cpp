@@ -243,7 +243,7 @@ class Caller {
         if (source_.below(8) == 7) settings.gravity = vec3();
         if (source_.below(8) == 7) settings.margin = number();
         settings.substeps = static_cast<std::int32_t>(4 - source_.below(5));
-        if (settings.substeps == 2) settings.hold_distance = 65536 / 10;
+        if (settings.substeps == 2) settings.hold_distance = 0;
         return create(
             [&](auto* out) { return detent_world3_create(context, or_null(&settings), out); });
       }

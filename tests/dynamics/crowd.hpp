@@ -19,7 +19,7 @@ class Crowd {
   using S = q16_16;
   using Bodies = World<S, 3, Obb, BodyCompound, BodyMesh, BallJoint>;
 
-  explicit Crowd(std::uint64_t seed, double hold_distance = 0)
+  explicit Crowd(std::uint64_t seed, double hold_distance = 0.1)
       : random_(seed), world_(settings(hold_distance)) {
     world_.add(BodyMesh<S, 3>{&ground_.asset, {}, {}}, fixed<S>());
     world_.add(box_of<S, 3>(0, -4, 1, 4), fixed<S>());

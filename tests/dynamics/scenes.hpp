@@ -28,7 +28,7 @@ struct Scene {
   BodyId top{};
   BodyOptions<S, N> options{};
 
-  Scene(int substeps, double sleep_speed = 0, double hold_distance = 0) {
+  Scene(int substeps, double sleep_speed = 0, double hold_distance = 0.1) {
     WorldSettings<S, N> settings;
     settings.substeps = substeps;
     settings.sleep_speed = num<S>(sleep_speed);
@@ -62,7 +62,7 @@ struct Scene {
 };
 
 template <Scalar S, int N>
-Scene<S, N> stack(int boxes, int substeps, double sleep_speed = 0, double hold_distance = 0) {
+Scene<S, N> stack(int boxes, int substeps, double sleep_speed = 0, double hold_distance = 0.1) {
   Scene<S, N> scene(substeps, sleep_speed, hold_distance);
   for (int i = 0; i < boxes; ++i) scene.add(box_at<S, N>(0, 0.5 + i, 0.5, 0.5));
   return scene;
@@ -71,7 +71,7 @@ Scene<S, N> stack(int boxes, int substeps, double sleep_speed = 0, double hold_d
 /// Three boxes; the last one weighs 100 times as much as each of the others.
 template <Scalar S, int N>
 Scene<S, N> heavy_top(double weight, int substeps, double sleep_speed = 0,
-                      double hold_distance = 0) {
+                      double hold_distance = 0.1) {
   Scene<S, N> scene(substeps, sleep_speed, hold_distance);
   scene.add(box_at<S, N>(0, 0.5, 0.5, 0.5));
   scene.add(box_at<S, N>(0, 1.5, 0.5, 0.5));
@@ -94,7 +94,7 @@ Scene<S, 2> pyramid(int base, int substeps, double sleep_speed = 0) {
 /// storeys.
 template <Scalar S>
 Scene<S, 2> house_of_cards(int levels, int substeps, double sleep_speed = 0,
-                           double hold_distance = 0) {
+                           double hold_distance = 0.1) {
   Scene<S, 2> scene(substeps, sleep_speed, hold_distance);
   scene.options.friction = num<S>(0.7);
   const double thin = 0.05, tall = 0.6, lean = 0.42;

@@ -114,7 +114,7 @@ TEST_CASE("snapshot: without its impulses a world diverges") {
   CHECK(digest(world) != digest(other));
 }
 
-TEST_CASE("snapshot: takes 72 bytes per body, and no more than needed for contacts") {
+TEST_CASE("snapshot: takes 72 bytes per body, 24 more if it is held, and little for contacts") {
   const auto size_of = [](int count) {
     Balls<q16_16, 3> world;
     for (int i = 0; i < count; ++i) add_ball(world, 3.0 * i, 0);
@@ -127,7 +127,10 @@ TEST_CASE("snapshot: takes 72 bytes per body, and no more than needed for contac
   const auto apart = snapshot(world).size();
   world.step();
   REQUIRE(detail::WorldAccess::contacts(world).size() == 1);
-  CHECK(snapshot(world).size() - apart == 8 + 8 + 12);  // one contact point of four
+  const auto held = snapshot(world).size();
+  CHECK(held - apart == 24 + 8 + 8 + 12);  // one contact point of four; 24 for how far it moved
+  detail::WorldAccess::bodies(world)[1].hold_here();
+  CHECK(held - snapshot(world).size() == 24);
 }
 
 TEST_CASE("snapshot: hostile bytes change nothing and do no harm") {

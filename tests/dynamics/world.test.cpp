@@ -46,6 +46,7 @@ TEST_CASE("world: every scalar computes the same integers") {
     WorldSettings<S, 2> settings;
     settings.gravity = {S(0), num<S>(-10 * scale)};
     settings.margin = num<S>(5 / 256.0 * scale);
+    settings.hold_distance = num<S>(26 / 256.0 * scale);
     settings.push_speed = num<S>(3 * scale);
     settings.bounce_threshold = num<S>(scale);
     settings.sleep_speed = S(0);  // it also applies to spins

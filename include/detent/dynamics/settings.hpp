@@ -78,8 +78,8 @@ struct WorldSettings {
   S bounce_threshold = S(1);                   // slower impacts do not bounce
   S sleep_speed = detail::fraction<S>(1, 20);  // slower bodies may sleep; 0: never
   /// Bodies keep the geometry of their contacts while they move no more than this and turn by no
-  /// more than 1/32, so that tall stacks stand: such as 0.1. 0: never.
-  S hold_distance = S(0);
+  /// more than 1/32, so that tall stacks stand. 0: never.
+  S hold_distance = detail::fraction<S>(1, 10);
 };
 
 }  // namespace detent

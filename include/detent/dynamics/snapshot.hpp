@@ -226,8 +226,8 @@ template <class Storage, Scalar S, int N, class... Parts>
   Digest own;
   own.add(static_cast<std::int32_t>(settings.ticks_per_second),
           static_cast<std::int32_t>(settings.substeps), settings.gravity, settings.margin,
-          settings.push_speed, settings.bounce_threshold, settings.sleep_speed);
-  if (settings.hold_distance != S(0)) own.add(settings.hold_distance);
+          settings.push_speed, settings.bounce_threshold, settings.sleep_speed,
+          settings.hold_distance);
   header.settings_digest = own.value();
   return header;
 }

@@ -140,7 +140,7 @@ class Tick {
     Vec<typename F::Lever, N> offset{};
   };
 
-  static constexpr int colours = 64;
+  static constexpr int colours = 64, pair_colours = 48;
   static constexpr bool has_groups = uses_long_lanes<Storage, S, N>;
   using ColourEnds = std::array<std::uint32_t, colours + 1>;
 
@@ -640,9 +640,11 @@ class Tick {
     }
   }
 
-  /// Assigns a colour to each awake contact: the least that no earlier contact of its bodies has,
-  /// or the last colour if there is none. Except for the last colour, contacts of a colour share no
-  /// body that can move. Returns where in `ready_` each colour ends.
+  /// Assigns a colour to each awake contact: the greatest, up to 47 for two moving bodies and up to
+  /// 62 for others, that no earlier contact of its bodies has, or the last colour if there is none.
+  /// So what cannot move has the last word, and a pile on the ground is solved towards the ground.
+  /// Except for the last colour, contacts of a colour share no body that can move. Returns where in
+  /// `ready_` each colour ends.
   constexpr ColourEnds order(const Bodies& bodies) {
     used_.clear();
     used_.resize(bodies.size());
@@ -656,7 +658,9 @@ class Tick {
         continue;
       }
       const auto taken = (moves_a ? used_[contact.a] : 0) | (moves_b ? used_[contact.b] : 0);
-      const int colour = (std::min)(std::countr_one(taken), colours - 1);
+      const int first = (moves_a && moves_b ? pair_colours : colours - 1) - 1;
+      const int free = first - std::countl_one(taken << (colours - 1 - first));
+      const int colour = free < 0 ? colours - 1 : free;
       colour_[i] = static_cast<std::uint8_t>(colour);
       if (moves_a) used_[contact.a] |= std::uint64_t{1} << colour;
       if (moves_b) used_[contact.b] |= std::uint64_t{1} << colour;
@@ -1031,7 +1035,13 @@ class Tick {
       if (!is_awake(body)) continue;
       body.state.velocity = moving_[i].velocity;
       body.state.spin = moving_[i].spin;
-      if (are_held_) note_hold(body, moving_[i], pace);
+      if (are_held_) {
+        if (used_[i] != 0) {
+          note_hold(body, moving_[i], pace);
+        } else {
+          body.hold_here();  // nothing touches it
+        }
+      }
       body.push = {};
       body.twist = {};
       const bool is_quiet = is_slow(body.state, pace);

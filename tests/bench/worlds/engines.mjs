@@ -26,13 +26,12 @@ const columns = (q) => [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((v) => turned(q, v)
 const xyz = ([x, y, z]) => ({ x, y, z });
 
 class Detent {
-  constructor(scalar, holdDistance = 0) {
-    this.name = holdDistance > 0 ? `${scalar} held` : scalar;
+  constructor(scalar) {
+    this.name = scalar;
     const module = new WebAssembly.Module(readFileSync(join(folder, `${scalar}.wasm`)));
     const nothing = Object.fromEntries(WebAssembly.Module.imports(module).map((each) => [each.name, () => 0]));
     this.wasm = new WebAssembly.Instance(module, { wasi_snapshot_preview1: nothing }).exports;
     this.wasm._initialize();
-    this.wasm.hold(holdDistance);
   }
   names() {
     return Array.from({ length: this.wasm.plan_count() }, (_, i) => {

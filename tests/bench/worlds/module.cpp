@@ -21,7 +21,6 @@ using S = DETENT_BENCH_SCALAR;
 Plan plan;
 std::unique_ptr<Stage<S>> stage;
 std::vector<double> items, links, poses, points;
-double hold_distance = 0;
 
 const std::vector<Plan>& plans() {
   static const std::vector<Plan> all = all_plans();
@@ -37,9 +36,6 @@ void put(std::vector<double>& to, const Vector& v) {
 
 EXPORT(plan_count) std::size_t plan_count() { return plans().size(); }
 EXPORT(plan_name) const char* plan_name(std::size_t i) { return plans()[i].name.c_str(); }
-
-/// The hold distance of the worlds built from now on.
-EXPORT(hold) void hold(double distance) { hold_distance = distance; }
 
 /// Builds the world of plan i in its initial state.
 EXPORT(load) void load(std::size_t i) {
@@ -63,7 +59,7 @@ EXPORT(load) void load(std::size_t i) {
     put(links, link.axis);
   }
   for (const auto& point : hull_points()) put(points, point);
-  stage = std::make_unique<Stage<S>>(plan, hold_distance);
+  stage = std::make_unique<Stage<S>>(plan);
 }
 /// 12 numbers per item: kind, whether it moves, center, half extents, axis and angle.
 EXPORT(item_data) const double* item_data() { return items.data(); }

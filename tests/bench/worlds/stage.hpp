@@ -24,9 +24,8 @@ struct Stage {
     return make_vec<3>([&](int i) { return test::num<S>(v[i]); });
   }
 
-  explicit Stage(const Plan& plan, double hold_distance = 0) {
+  explicit Stage(const Plan& plan) {
     WorldSettings<S, 3> settings;
-    settings.hold_distance = test::num<S>(hold_distance);
     if (!plan.sleeps) settings.sleep_speed = S(0);
     world = Physics(settings);
     for (const auto& p : hull_points()) points.push_back(vec(p));

@@ -124,7 +124,8 @@ TEST_CASE("joint: a rope of 30 with a heavy end holds and gains no energy") {
       CHECK(apart(fixed, real) < 1e-3);
     };
     exam(1, 200, 0.0075, 0.001);
-    exam(100, 600, 0.042, 0.031);
+    exam(100, 400, 0.042, 0.031);  // then it folds, and worlds that differ a little part
+    CHECK(rope<q16_16, N>(100, 8, 600).gap < 0.042);
     CHECK(rope<q16_16, N>(100, 8, 600, true).gap < 0.01);
     CHECK(rope<q16_16, N>(1000, 8, 600, true).gap < 0.01);
   });

@@ -35,7 +35,7 @@ def build(n, lines):
         return parse(text, frac)
     settings = {"ticks": 60, "substeps": 4, "gravity": [0, num("-10"), 0][:n], "push": num("3"),
                 "bounce": num("1"), "sleep": num("0.05"), "margin": num("0.02"),
-                "hold": 0}
+                "hold": num("0.1")}
     for words in lines:
         if words[0] == "set":
             key = words[1]

@@ -209,10 +209,11 @@ class World:
         reach = f.lever.near(abs(radius) + sum(map(abs, reach)), f.F)
         return f.lever.near((sum(map(abs, b.drift)) << 22) + reach * lean, f.F + 34)
 
-    def note_hold(self, b):
-        far = any(abs(x) > self.hold for x in b.D) or any(abs(w) > self.hold_turn for w in b.E)
-        b.drift = [0] * len(b.v) if far else list(b.D)
-        b.lean = [0] * len(b.w) if far else list(b.E)
+    def note_hold(self, b, touched):
+        near = all(abs(x) <= self.hold for x in b.D) and all(abs(w) <= self.hold_turn for w in b.E)
+        stays = touched and near
+        b.drift = list(b.D) if stays else [0] * len(b.v)
+        b.lean = list(b.E) if stays else [0] * len(b.w)
 
     # 3. Contacts
 
@@ -335,10 +336,12 @@ class World:
         used, order = {}, []
         for pair in sorted(active):
             mine = [used.setdefault(i, set()) for i in pair[:2] if self.is_awake(i)]
-            colour = next((c for c in range(63) if not any(c in s for s in mine)), 63)
+            greatest = 47 if len(mine) == 2 else 62
+            colour = next((c for c in range(greatest, -1, -1) if not any(c in s for s in mine)), 63)
             for s in mine:
                 s.add(colour)
             order.append((colour, pair))
+        self.touched = {i for i, colours in used.items() if colours}
         return [pair for _, pair in sorted(order)]
 
     # 9. Rest
@@ -351,7 +354,7 @@ class World:
                     abs(w) <= self.sleep_spin for w in b.w)
                 b.quiet = min(b.quiet + 1, 255) if slow else 0
                 if self.hold > 0:
-                    self.note_hold(b)
+                    self.note_hold(b, i in self.touched)
                 b.push, b.twist = [0] * len(b.v), [0] * len(b.w)
             if self.sleep > 0 and all(self.bodies[i].quiet >= min(max(self.ticks_per_second // 2, 1), 255)
                                       for i in members):
