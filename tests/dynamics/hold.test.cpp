@@ -33,8 +33,7 @@ TEST_CASE("hold: without it a stack of 20 falls at 4 substeps") {
 }
 
 TEST_CASE("hold: a stack of 20 stands at 4 substeps") {
-  const auto [fixed, real] =
-      settle_both([](auto s) { return stack<decltype(s), 3>(20, 4); }, 600);
+  const auto [fixed, real] = settle_both([](auto s) { return stack<decltype(s), 3>(20, 4); }, 600);
   for (const auto& settled : {fixed, real}) {
     CHECK(settled.rest >= 0);
     CHECK(settled.rest < 60);
@@ -45,8 +44,7 @@ TEST_CASE("hold: a stack of 20 stands at 4 substeps") {
 }
 
 TEST_CASE("hold: a house of cards and a stack in 2D rest") {
-  const auto cards =
-      settle_both([](auto s) { return house_of_cards<decltype(s)>(3, 4); }, 600);
+  const auto cards = settle_both([](auto s) { return house_of_cards<decltype(s)>(3, 4); }, 600);
   for (const auto& settled : {cards.fixed, cards.real}) {
     CHECK(settled.rest >= 0);
     CHECK(settled.rest < 60);
@@ -54,8 +52,7 @@ TEST_CASE("hold: a house of cards and a stack in 2D rest") {
     CHECK(std::fabs(settled.dx) < 0.02);
   }
   CHECK(cards.fixed.digest == 0x8edd84a1573356b1);
-  const auto boxes =
-      settle_both([](auto s) { return stack<decltype(s), 2>(20, 4); }, 600);
+  const auto boxes = settle_both([](auto s) { return stack<decltype(s), 2>(20, 4); }, 600);
   for (const auto& settled : {boxes.fixed, boxes.real}) {
     CHECK(settled.rest >= 0);
     CHECK(settled.rest < 100);
