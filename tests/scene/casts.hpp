@@ -12,10 +12,6 @@
 
 namespace detent::test {
 
-inline constexpr oracle::Kind cast_kinds[] = {oracle::Kind::general, oracle::Kind::lattice,
-                                              oracle::Kind::tiny, oracle::Kind::extreme,
-                                              oracle::Kind::degenerate};
-
 template <Scalar S, int N, class Shape>
 std::vector<Found<S>> touched(const PlainScene<S, N>& plain, const Cast<Shape>& moving,
                               std::uint32_t mask) {
@@ -80,7 +76,7 @@ void check_casts(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain,
 template <Scalar S, int N, class... Shapes>
 void live_and_cast(std::uint64_t seed, std::size_t room, int steps, int checks) {
   HitRate rate;
-  for (const auto kind : cast_kinds) {
+  for (const auto kind : oracle::every_kind) {
     INFO("seed " << seed << ", kind " << static_cast<int>(kind));
     Historian<S, N> history(seed, kind);
     AnyScene<S, N> scene;

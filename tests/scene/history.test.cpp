@@ -8,9 +8,6 @@ using detent::test::PlainScene;
 
 namespace {
 
-constexpr oracle::Kind kinds[] = {oracle::Kind::general, oracle::Kind::lattice, oracle::Kind::tiny,
-                                  oracle::Kind::extreme, oracle::Kind::degenerate};
-
 template <Scalar S, int N, class Question>
 long ask(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain, const Question& question,
          std::uint32_t mask) {
@@ -62,7 +59,7 @@ void check(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain, Historian
 
 template <Scalar S, int N>
 void live(std::uint64_t seed, std::size_t room, int steps, int checks) {
-  for (const auto kind : kinds) {
+  for (const auto kind : oracle::every_kind) {
     INFO("seed " << seed << ", kind " << static_cast<int>(kind));
     Historian<S, N> history(seed, kind);
     AnyScene<S, N> scene;
