@@ -125,17 +125,15 @@ struct Stock {
 
 TEST_CASE("scene of assets: results equal those of a list of placed hulls, fields and meshes",
           "[scene]") {
-  HitRate rate;
-  for (std::uint64_t seed = 5; seed < 25; ++seed) live<Stock>(seed, 12, 10, 12, rate);
-  INFO(rate);
-  CHECK(rate.is_balanced());
+  check_balance([](HitRate& rate) {
+    for (std::uint64_t seed = 5; seed < 25; ++seed) live<Stock>(seed, 12, 10, 12, rate);
+  });
 }
 
 TEST_CASE("scene of assets: long histories", "[.demand]") {
-  HitRate rate;
-  for (const auto seed : oracle::demanded_seeds()) live<Stock>(seed, 12, 10, 60, rate);
-  INFO(rate);
-  CHECK(rate.is_balanced());
+  check_balance([](HitRate& rate) {
+    for (const auto seed : oracle::demanded_seeds()) live<Stock>(seed, 12, 10, 60, rate);
+  });
 }
 
 }  // namespace detent::test

@@ -17,11 +17,6 @@ namespace {
 template <Scalar S>
 using Points = std::pair<Vec<S, 3>, Vec<S, 3>>;
 
-template <Scalar S>
-OwnedMesh<S> mesh_of(const std::vector<Triangle<S, 3>>& triangles) {
-  return OwnedMesh<S>{std::span<const Triangle<S, 3>>(triangles)};
-}
-
 /// The nearest triangle by a plain loop; among equal distances, the first.
 template <Scalar S, class Shape>
 Points<S> expected_points(const std::vector<Triangle<S, 3>>& triangles, const Shape& shape) {

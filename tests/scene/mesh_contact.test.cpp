@@ -17,11 +17,6 @@ namespace {
 template <Scalar S>
 using Triangles = std::vector<Triangle<S, 3>>;
 
-template <Scalar S>
-OwnedMesh<S> mesh_of(const Triangles<S>& triangles) {
-  return OwnedMesh<S>{std::span<const Triangle<S, 3>>(triangles)};
-}
-
 template <Scalar S, class Surface, class Shape>
 std::vector<MeshContact<S>> contacts_of(const Surface& surface, const Shape& shape, Facing facing) {
   std::vector<MeshContact<S>> found(64);

@@ -13,11 +13,6 @@
 namespace detent::test {
 namespace {
 
-template <Scalar S>
-OwnedMesh<S> mesh_of(const std::vector<Triangle<S, 3>>& triangles) {
-  return OwnedMesh<S>{std::span<const Triangle<S, 3>>(triangles)};
-}
-
 template <Scalar S, class Shape>
 S least_of(const std::vector<Triangle<S, 3>>& triangles, const Shape& shape) {
   S least = largest<S>;

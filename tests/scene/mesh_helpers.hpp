@@ -18,6 +18,11 @@ inline constexpr std::array mesh_kinds{MeshKind::soup,      MeshKind::sheet,
                                        MeshKind::lattice,   MeshKind::duplicates,
                                        MeshKind::collapsed, MeshKind::extreme};
 
+template <Scalar S>
+OwnedMesh<S> mesh_of(const std::vector<Triangle<S, 3>>& triangles) {
+  return OwnedMesh<S>{std::span<const Triangle<S, 3>>(triangles)};
+}
+
 /// A mesh of a kind, within `reach` raw units except for extreme ones.
 template <Scalar S>
 std::vector<Triangle<S, 3>> draw_mesh(oracle::Draw<S, 3>& draw, MeshKind kind, std::size_t count,

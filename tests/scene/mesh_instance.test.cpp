@@ -64,17 +64,13 @@ struct Meshes {
 }  // namespace
 
 TEST_CASE("mesh instance: results equal those of a list of placed triangles, after any history") {
-  HitRate rate;
-  live<Meshes>(3, 16, 60, 6, rate);
-  INFO(rate);
-  CHECK(rate.is_balanced());
+  check_balance([](HitRate& rate) { live<Meshes>(3, 16, 60, 6, rate); });
 }
 
 TEST_CASE("mesh instance: long histories", "[.demand]") {
-  HitRate rate;
-  for (const auto seed : oracle::demanded_seeds()) live<Meshes>(seed, 24, 200, 12, rate);
-  INFO(rate);
-  CHECK(rate.is_balanced());
+  check_balance([](HitRate& rate) {
+    for (const auto seed : oracle::demanded_seeds()) live<Meshes>(seed, 24, 200, 12, rate);
+  });
 }
 
 }  // namespace detent::test

@@ -15,11 +15,6 @@ namespace detent::test {
 namespace {
 
 template <Scalar S>
-OwnedMesh<S> mesh_of(const std::vector<Triangle<S, 3>>& triangles) {
-  return OwnedMesh<S>{std::span<const Triangle<S, 3>>(triangles)};
-}
-
-template <Scalar S>
 bool any_pair(const std::vector<Triangle<S, 3>>& a, const std::vector<Triangle<S, 3>>& b) {
   return std::any_of(a.begin(), a.end(), [&](const auto& ours) {
     return std::any_of(b.begin(), b.end(),

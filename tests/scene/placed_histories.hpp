@@ -8,6 +8,7 @@
 #include "detent/scene/mesh.hpp"
 #include "oracle/seeds.hpp"
 #include "scene/histories.hpp"
+#include "scene/mesh_helpers.hpp"
 #include "scene/surface_loop.hpp"
 
 // Random histories of scenes whose objects refer to assets and follow a frame, against lists of
