@@ -2,8 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <variant>
 #include <vector>
 
@@ -33,16 +31,7 @@ template <Scalar S, int N, class Shape>
 std::vector<Found<S>> ask_cast(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain,
                                const Cast<Shape>& moving, std::uint32_t mask) {
   const auto expected = touched(plain, moving, mask);
-  const InLayers filter{mask};
-  CHECK(scene.all(moving, filter) == expected);
-  CHECK(scene.any(moving, filter) == !expected.empty());
-  CHECK(scene.nearest(moving, filter) ==
-        (expected.empty() ? std::nullopt : std::optional(expected.front())));
-  std::array<Found<S>, 3> room;
-  const auto count = scene.all(moving, std::span(room), filter);
-  CHECK(count == expected.size());
-  CHECK(std::equal(room.begin(), room.begin() + static_cast<long>(std::min<std::size_t>(count, 3)),
-                   expected.begin()));
+  check_all(scene, moving, InLayers{mask}, expected);
   return expected;
 }
 

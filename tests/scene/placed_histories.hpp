@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <variant>
 
 #include "detent/scene/mesh.hpp"
@@ -130,12 +129,7 @@ void ask(const typename Stock::World& scene, const PlacedList<Stock>& plain,
          const Question& question, HitRate& rate) {
   const auto expected = plain.all(question);
   rate.count(!expected.empty());
-  REQUIRE(scene.all(question) == expected);
-  REQUIRE(scene.any(question) == !expected.empty());
-  if constexpr (!std::is_same_v<Question, Vec<q16_16, 3>>) {
-    REQUIRE(scene.nearest(question) ==
-            (expected.empty() ? std::nullopt : std::optional(expected.front())));
-  }
+  check_all(scene, question, InLayers{~0u}, expected);
 }
 
 /// Histories of up to `room` objects, with `steps` changes before each of the checks.
