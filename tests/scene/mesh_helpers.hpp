@@ -119,6 +119,7 @@ void for_meshes(std::uint64_t seed, int rounds, int size_bits, const Body& body)
           draw.random.one_in(8)
               ? draw.random.below(9)
               : draw.random.below(std::uint64_t{1} << draw.random.between(2, size_bits));
+      INFO("kind " << static_cast<int>(kind) << ", seed " << draw.random.seed());
       body(kind, draw_mesh(draw, kind, count, reach), reach, draw);
     }
   }
