@@ -56,8 +56,7 @@ struct Casts {
     Input<N> in;
     const auto along = in.direction(*direction);
     if (!in.is_valid()) return DETENT_NOT_UNIT;
-    auto status = check_shapes<N>(context, shape, 1);
-    if (status == DETENT_OK) status = check_shapes<N>(context, targets, count);
+    auto status = check_lists<N>(context, shape, 1, targets, count);
     if (status != DETENT_OK) return status;
     if (shape->kind == DETENT_PLANE) return DETENT_NO_QUERY;
     const S length = Input<N>::number(max_distance);
@@ -105,10 +104,7 @@ struct Casts {
     });
   }
   static detent_status write(const Found& found, typename T::Hit* hit) {
-    if (found && hit != nullptr) {
-      *hit = {found->distance.raw(), Output<N>::vec(found->point),
-              Output<N>::direction(found->normal)};
-    }
+    if (found && hit != nullptr) *hit = Output<N>::hit(*found);
     return yes_or_no(found.has_value());
   }
 };

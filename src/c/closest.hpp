@@ -30,8 +30,7 @@ struct Closest {
                                                 typename T::Vec* point_a,
                                                 typename T::Vec* point_b) {
     if (point_a == nullptr || point_b == nullptr) return DETENT_BAD_ARGUMENT;
-    auto status = check_shapes<N>(context, a, a_count);
-    if (status == DETENT_OK) status = check_shapes<N>(context, b, b_count);
+    const auto status = check_lists<N>(context, a, a_count, b, b_count);
     if (status != DETENT_OK) return status;
     const typename T::Shape *one = nullptr, *other = nullptr;
     std::int32_t least = 0;

@@ -288,6 +288,18 @@ detent_status read_object(const detent_context* context, Kind kind, detent_handl
   return guarded(nullptr, [&]() -> detent_status { return f(*table, object); });
 }
 
+/// Writes f(object) to the caller's memory.
+template <class T, class Out, class F>
+detent_status write_from(const detent_context* context, Kind kind, detent_handle handle, Out* out,
+                         const F& f) noexcept {
+  const auto write = [&](const Context&, const T& object) -> detent_status {
+    if (out == nullptr) return DETENT_BAD_ARGUMENT;
+    *out = static_cast<Out>(f(object));
+    return DETENT_OK;
+  };
+  return read_object<T>(context, kind, handle, write);
+}
+
 [[nodiscard]] inline detent_status destroy_object(detent_context* context, Kind kind,
                                                   detent_handle handle) noexcept {
   Context* const table = table_of(context);

@@ -127,6 +127,10 @@ struct Output {
       return {d[0].raw(), d[1].raw(), d[2].raw()};
     }
   }
+  /// A hit of a ray or a cast.
+  static typename T::Hit hit(const auto& found) noexcept {
+    return {found.distance.raw(), vec(found.point), direction(found.normal)};
+  }
   static typename T::Rotation rotation(const Rotation<S, N>& rotation) noexcept {
     typename T::Rotation result;
     for (int i = 0; i < N; ++i) result.axis[i] = direction(rotation.axis(i));

@@ -104,10 +104,7 @@ struct Frusta<3> {
     const auto along = in.ray(*ray);
     if (!in.is_valid()) return DETENT_NOT_UNIT;
     const auto found = detent::raycast_hit(along, own(*frustum));
-    if (found && hit != nullptr) {
-      *hit = {found->distance.raw(), Output<3>::vec(found->point),
-              Output<3>::direction(found->normal)};
-    }
+    if (found && hit != nullptr) *hit = Output<3>::hit(*found);
     return yes_or_no(found.has_value());
   }
   static detent_status contains(const detent_frustum3* frustum, const detent_vec3* point) {

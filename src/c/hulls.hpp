@@ -52,5 +52,13 @@ detent_status check_shapes(const detent_context* context, const typename Types<N
   }
   return DETENT_OK;
 }
+/// The same for two lists.
+template <int N>
+detent_status check_lists(const detent_context* context, const typename Types<N>::Shape* a,
+                          std::uint32_t a_count, const typename Types<N>::Shape* b,
+                          std::uint32_t b_count) {
+  const auto status = check_shapes<N>(context, a, a_count);
+  return status == DETENT_OK ? check_shapes<N>(context, b, b_count) : status;
+}
 
 }  // namespace detent::c

@@ -146,8 +146,7 @@ struct Queries {
       if (!in.is_valid()) return DETENT_NOT_UNIT;
       const auto found = detent::raycast_hit(along, target);
       if (!found) return DETENT_NO;
-      *hit = {found->distance.raw(), Output<N>::vec(found->point),
-              Output<N>::direction(found->normal)};
+      *hit = Output<N>::hit(*found);
       return DETENT_OK;
     }
   };

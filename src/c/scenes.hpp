@@ -199,11 +199,8 @@ struct Scenes {
   }
   static detent_status size(const detent_context* context, detent_handle scene,
                             std::uint32_t* size) {
-    return read(context, scene, [&](const Context&, const Scene& object) -> detent_status {
-      if (size == nullptr) return DETENT_BAD_ARGUMENT;
-      *size = static_cast<std::uint32_t>(object.size());
-      return DETENT_OK;
-    });
+    return write_from<Scene>(context, kind, scene, size,
+                             [](const Scene& object) { return object.size(); });
   }
   static detent_status optimize(detent_context* context, detent_handle scene) {
     return change(context, scene, [&](const Context&, Scene& object) -> detent_status {
@@ -290,11 +287,8 @@ struct Scenes {
 
   static detent_status digest(const detent_context* context, detent_handle scene,
                               std::uint64_t* digest) {
-    return read(context, scene, [&](const Context&, const Scene& object) -> detent_status {
-      if (digest == nullptr) return DETENT_BAD_ARGUMENT;
-      *digest = detent::digest(object);
-      return DETENT_OK;
-    });
+    return write_from<Scene>(context, kind, scene, digest,
+                             [](const Scene& object) { return detent::digest(object); });
   }
   static detent_status snapshot(const detent_context* context, detent_handle scene, void* bytes,
                                 std::uint32_t room, std::uint32_t* size) {

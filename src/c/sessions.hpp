@@ -61,12 +61,36 @@ struct Press {
 /// The common part of sessions and replays of a dimension.
 template <int N>
 struct Play {
-  using World = typename Worlds<N>::World;
   using Inputs = FrameInputs<Press, DETENT_PLAYERS>;
+
+  static void write(const Inputs& from, std::uint32_t input_size, detent_frame* frame, void* to) {
+    *frame = {from.frame(), static_cast<std::uint32_t>(from.size()), 0, DETENT_PLAYED};
+    auto* const bytes = static_cast<std::uint8_t*>(to);
+    for (std::uint32_t i = 0; i < frame->players; ++i) {
+      if (from.is_in(i)) frame->present |= 1u << i;
+      std::copy_n(from[i].bytes.begin(), input_size, bytes + i * input_size);
+    }
+  }
+
+  /// The kind of replay: only a world with these inputs and words can simulate it.
+  static FieldName kind_of(std::uint32_t input_size, std::uint32_t words) {
+    return FieldName("detent.h ")
+        .add_number(N)
+        .add(" ")
+        .add_number(input_size)
+        .add(" ")
+        .add_number(words);
+  }
+};
+
+/// Handles of sessions or replays, which are `Holder`s, and of their worlds.
+template <int N, class Holder>
+struct Played {
+  using World = typename Worlds<N>::World;
   static constexpr Kind world_kind = Worlds<N>::kind;
 
   /// Makes a `Holder` from the arguments, and a handle for its world.
-  template <class Holder, class... Arguments>
+  template <class... Arguments>
   static detent_status make(Context& table, detent_handle* out, Arguments&... arguments) {
     detent_status status = DETENT_OK;
     Slot* slot = table.reserve(Holder::kind, status);
@@ -116,7 +140,6 @@ struct Play {
   }
 
   /// Points the handle of the world to the current one.
-  template <class Holder>
   static void show(Context& table, Holder& holder) {
     Slot* const slot = table.find(world_kind, holder.world);
     if (slot == nullptr) return;
@@ -126,7 +149,7 @@ struct Play {
     slot->is_locked = !holder.is_open();
   }
   /// f(table, holder) for a call that may change it.
-  template <class Holder, class F>
+  template <class F>
   static detent_status change(detent_context* context, detent_handle handle, const F& f) {
     return with_object<Holder>(context, Holder::kind, handle,
                                [&](Context& table, Holder& holder) -> detent_status {
@@ -137,38 +160,18 @@ struct Play {
                                  return status;
                                });
   }
-  template <class Holder, class F>
+  template <class F>
   static detent_status read(const detent_context* context, detent_handle handle, const F& f) {
     return read_object<Holder>(context, Holder::kind, handle,
                                [&](const Context&, const Holder& holder) { return f(holder); });
   }
-  template <class Holder>
-  static detent_status world_of(const detent_context* context, detent_handle handle,
-                                detent_handle* world) {
-    return read<Holder>(context, handle, [&](const Holder& holder) -> detent_status {
-      if (world == nullptr) return DETENT_BAD_ARGUMENT;
-      *world = holder.world;
-      return DETENT_OK;
-    });
+  static detent_status destroy(detent_context* context, detent_handle handle) {
+    return destroy_object(context, Holder::kind, handle);
   }
-
-  static void write(const Inputs& from, std::uint32_t input_size, detent_frame* frame, void* to) {
-    *frame = {from.frame(), static_cast<std::uint32_t>(from.size()), 0, DETENT_PLAYED};
-    auto* const bytes = static_cast<std::uint8_t*>(to);
-    for (std::uint32_t i = 0; i < frame->players; ++i) {
-      if (from.is_in(i)) frame->present |= 1u << i;
-      std::copy_n(from[i].bytes.begin(), input_size, bytes + i * input_size);
-    }
-  }
-
-  /// The kind of replay: only a world with these inputs and words can simulate it.
-  static FieldName kind_of(std::uint32_t input_size, std::uint32_t words) {
-    return FieldName("detent.h ")
-        .add_number(N)
-        .add(" ")
-        .add_number(input_size)
-        .add(" ")
-        .add_number(words);
+  static detent_status world(const detent_context* context, detent_handle handle,
+                             detent_handle* world) {
+    return write_from<Holder>(context, Holder::kind, handle, world,
+                              [](const Holder& holder) { return holder.world; });
   }
 };
 
@@ -256,9 +259,11 @@ struct SessionHolder {
 };
 
 template <int N>
-struct Sessions {
-  using P = Play<N>;
+struct Sessions : Played<N, SessionHolder<N>> {
   using Holder = SessionHolder<N>;
+  using P = Played<N, Holder>;
+  using P::change;
+  using P::read;
 
   static detent_status create(detent_context* context, const detent_session_settings* settings,
                               detent_handle world, detent_handle* session) {
@@ -271,16 +276,9 @@ struct Sessions {
     const auto copy = [&](const Context&, const typename P::World& start) {
       Game<N> game{start, {}, table};
       game.words.count = settings->words;
-      return P::template make<Holder>(*table, session, *settings, game);
+      return P::make(*table, session, *settings, game);
     };
     return read_object<typename P::World>(context, P::world_kind, world, copy);
-  }
-  static detent_status destroy(detent_context* context, detent_handle session) {
-    return destroy_object(context, Holder::kind, session);
-  }
-  static detent_status world(const detent_context* context, detent_handle session,
-                             detent_handle* world) {
-    return P::template world_of<Holder>(context, session, world);
   }
 
   static detent_status receive(detent_context* context, detent_handle session, std::uint32_t peer,
@@ -300,7 +298,7 @@ struct Sessions {
                   press.bytes.begin());
       const auto opened = holder.session.open_frame(press);
       if (opened) {
-        P::write(*opened, holder.settings.input_size, frame, inputs);
+        Play<N>::write(*opened, holder.settings.input_size, frame, inputs);
       } else {
         *frame = {holder.session.frame(), holder.settings.players, 0,
                   static_cast<std::uint32_t>(holder.session.advanced())};
@@ -424,14 +422,6 @@ struct Sessions {
   static bool is_peer(const Holder& holder, std::uint32_t peer) {
     return peer < holder.settings.players + holder.settings.spectators;
   }
-  template <class F>
-  static detent_status change(detent_context* context, detent_handle session, const F& f) {
-    return P::template change<Holder>(context, session, f);
-  }
-  template <class F>
-  static detent_status read(const detent_context* context, detent_handle session, const F& f) {
-    return P::template read<Holder>(context, session, f);
-  }
 };
 
 /// A replay and the world that simulates it.
@@ -459,9 +449,9 @@ struct ReplayHolder {
 };
 
 template <int N>
-struct Replays {
-  using P = Play<N>;
+struct Replays : Played<N, ReplayHolder<N>> {
   using Holder = ReplayHolder<N>;
+  using P = Played<N, Holder>;
 
   static detent_status create(detent_context* context, const void* bytes, std::uint32_t size,
                               detent_handle world, std::uint32_t input_size, std::uint32_t words,
@@ -486,26 +476,19 @@ struct Replays {
         default:
           return DETENT_NO_SNAPSHOT;
       }
-      if (!reader.is_kind(P::kind_of(input_size, words).view())) return DETENT_OTHER_SCENE;
+      if (!reader.is_kind(Play<N>::kind_of(input_size, words).view())) return DETENT_OTHER_SCENE;
       Game<N> game{start, {}, table};
       game.words.count = words;
       const auto restored = restore(game, reader.snapshot());
       if (restored != Restored::yes) return status_of(restored);
-      return P::template make<Holder>(*table, replay, game, from, input_size);
+      return P::make(*table, replay, game, from, input_size);
     };
     return read_object<typename P::World>(context, P::world_kind, world, copy);
-  }
-  static detent_status destroy(detent_context* context, detent_handle replay) {
-    return destroy_object(context, Holder::kind, replay);
-  }
-  static detent_status world(const detent_context* context, detent_handle replay,
-                             detent_handle* world) {
-    return P::template world_of<Holder>(context, replay, world);
   }
 
   static detent_status begin_frame(detent_context* context, detent_handle replay,
                                    detent_frame* frame, void* inputs) {
-    return P::template change<Holder>(context, replay, [&](Holder& holder) -> detent_status {
+    return P::change(context, replay, [&](Holder& holder) -> detent_status {
       if (frame == nullptr || inputs == nullptr) return DETENT_BAD_ARGUMENT;
       while (!holder.is_over && holder.next == holder.block.size()) {
         holder.block.clear();
@@ -522,13 +505,13 @@ struct Replays {
         *frame = {holder.check.frames, players, 0, DETENT_OVER};
         return DETENT_NO;
       }
-      P::write(holder.block[holder.next], holder.input_size, frame, inputs);
+      Play<N>::write(holder.block[holder.next], holder.input_size, frame, inputs);
       holder.is_simulating = true;
       return DETENT_OK;
     });
   }
   static detent_status end_frame(detent_context* context, detent_handle replay) {
-    return P::template change<Holder>(context, replay, [&](Holder& holder) -> detent_status {
+    return P::change(context, replay, [&](Holder& holder) -> detent_status {
       if (!holder.is_simulating) return DETENT_NOT_NOW;
       holder.is_simulating = false;
       ++holder.check.frames;
@@ -538,7 +521,7 @@ struct Replays {
   }
   static detent_status check(const detent_context* context, detent_handle replay,
                              detent_replay_check* check) {
-    return P::template read<Holder>(context, replay, [&](const Holder& holder) -> detent_status {
+    return P::read(context, replay, [&](const Holder& holder) -> detent_status {
       if (check == nullptr) return DETENT_BAD_ARGUMENT;
       *check = {static_cast<std::uint32_t>(holder.reader.state()), holder.check.frames,
                 holder.check.equal, holder.check.is_equal ? 1u : 0u,

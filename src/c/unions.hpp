@@ -31,8 +31,7 @@ struct Unions {
       const auto is_hit = [&](const ConvexHull<S, N>& hull) -> detent_status {
         const auto own = detent::raycast_hit(along, hull);
         if (!own) return DETENT_NO;
-        found = {own->distance.raw(), Output<N>::vec(own->point),
-                 Output<N>::direction(own->normal)};
+        found = Output<N>::hit(*own);
         return DETENT_OK;
       };
       if (answer(context, shapes[i], is_hit, Single<N>::raycast, ray, &shapes[i], &found) !=
@@ -61,7 +60,7 @@ struct Unions {
 
   static detent_status overlaps(const detent_context* context, const Shape* a,
                                 std::uint32_t a_count, const Shape* b, std::uint32_t b_count) {
-    const auto status = check_lists(context, a, a_count, b, b_count);
+    const auto status = check_lists<N>(context, a, a_count, b, b_count);
     if (status != DETENT_OK) return status;
     const auto meet = [](const ConvexHull<S, N>& hull, const auto& other) {
       return yes_or_no(detent::overlaps(hull, other));
@@ -116,7 +115,7 @@ struct Unions {
                                 std::uint32_t a_count, const Shape* b, std::uint32_t b_count,
                                 std::int32_t* distance) {
     if (distance == nullptr) return DETENT_BAD_ARGUMENT;
-    const auto status = check_lists(context, a, a_count, b, b_count);
+    const auto status = check_lists<N>(context, a, a_count, b, b_count);
     if (status != DETENT_OK) return status;
     std::int32_t least = INT32_MAX;
     for (std::uint32_t i = 0; i < a_count; ++i) {
@@ -135,11 +134,6 @@ struct Unions {
   }
 
  private:
-  static detent_status check_lists(const detent_context* context, const Shape* a,
-                                   std::uint32_t a_count, const Shape* b, std::uint32_t b_count) {
-    const auto status = check_shapes<N>(context, a, a_count);
-    return status == DETENT_OK ? check_shapes<N>(context, b, b_count) : status;
-  }
   /// of_hull(hull) if the shape is one, otherwise call(arguments...).
   template <class F, class... Parameters, class... Arguments>
   static detent_status answer(const detent_context* context, const Shape& shape, const F& of_hull,

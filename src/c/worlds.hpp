@@ -165,12 +165,8 @@ struct Worlds {
 
   static detent_status body(const detent_context* context, detent_handle world, detent_id id,
                             typename T::Body* body) {
-    return read(context, world, [&](const World& object) -> detent_status {
-      if (body == nullptr) return DETENT_BAD_ARGUMENT;
-      if (!object.contains(id_of(id))) return DETENT_NO;
-      *body = body_of(object, id_of(id));
-      return DETENT_OK;
-    });
+    return read_body(context, world, id, body != nullptr,
+                     [&](const World& object) { *body = body_of(object, id_of(id)); });
   }
   static detent_status bodies(const detent_context* context, detent_handle world,
                               const detent_id* ids, std::uint32_t count, typename T::Body* bodies) {
@@ -185,11 +181,8 @@ struct Worlds {
   }
   static detent_status frame(const detent_context* context, detent_handle world, detent_id id,
                              typename T::Transform* frame) {
-    return read(context, world, [&](const World& object) -> detent_status {
-      if (frame == nullptr) return DETENT_BAD_ARGUMENT;
-      if (!object.contains(id_of(id))) return DETENT_NO;
+    return read_body(context, world, id, frame != nullptr, [&](const World& object) {
       *frame = Output<N>::transform(object.frame(id_of(id)));
-      return DETENT_OK;
     });
   }
   static detent_status set_velocity(detent_context* context, detent_handle world, detent_id id,
@@ -278,11 +271,8 @@ struct Worlds {
   }
   static detent_status joint_count(const detent_context* context, detent_handle world,
                                    std::uint32_t* count) {
-    return read(context, world, [&](const World& object) -> detent_status {
-      if (count == nullptr) return DETENT_BAD_ARGUMENT;
-      *count = static_cast<std::uint32_t>(object.joint_count());
-      return DETENT_OK;
-    });
+    return write_from<World>(context, kind, world, count,
+                             [](const World& object) { return object.joint_count(); });
   }
   static detent_status broken(const detent_context* context, detent_handle world, detent_id* joints,
                               std::uint32_t room, std::uint32_t* count) {
@@ -298,11 +288,9 @@ struct Worlds {
   }
   static detent_status local_point(const detent_context* context, detent_handle world, detent_id id,
                                    const typename T::Vec* point, typename T::Vec* local) {
-    return read(context, world, [&](const World& object) -> detent_status {
-      if (point == nullptr || local == nullptr) return DETENT_BAD_ARGUMENT;
-      if (!object.contains(id_of(id))) return DETENT_NO;
+    const bool is_valid = point != nullptr && local != nullptr;
+    return read_body(context, world, id, is_valid, [&](const World& object) {
       *local = Output<N>::vec(object.local_point(id_of(id), Input<N>::vec(*point)));
-      return DETENT_OK;
     });
   }
   static detent_status local_frame(const detent_context* context, detent_handle world, detent_id id,
@@ -320,11 +308,8 @@ struct Worlds {
 
   static detent_status size(const detent_context* context, detent_handle world,
                             std::uint32_t* size) {
-    return read(context, world, [&](const World& object) -> detent_status {
-      if (size == nullptr) return DETENT_BAD_ARGUMENT;
-      *size = static_cast<std::uint32_t>(object.size());
-      return DETENT_OK;
-    });
+    return write_from<World>(context, kind, world, size,
+                             [](const World& object) { return object.size(); });
   }
   static detent_status events(const detent_context* context, detent_handle world,
                               detent_touch* events, std::uint32_t room, std::uint32_t* count) {
@@ -341,20 +326,13 @@ struct Worlds {
   }
   static detent_status digest(const detent_context* context, detent_handle world,
                               std::uint64_t* digest) {
-    return read(context, world, [&](const World& object) -> detent_status {
-      if (digest == nullptr) return DETENT_BAD_ARGUMENT;
-      *digest = detent::digest(object);
-      return DETENT_OK;
-    });
+    return write_from<World>(context, kind, world, digest,
+                             [](const World& object) { return detent::digest(object); });
   }
   static detent_status digest_of(const detent_context* context, detent_handle world, detent_id id,
                                  std::uint64_t* digest) {
-    return read(context, world, [&](const World& object) -> detent_status {
-      if (digest == nullptr) return DETENT_BAD_ARGUMENT;
-      if (!object.contains(id_of(id))) return DETENT_NO;
-      *digest = detent::digest_of(object, id_of(id));
-      return DETENT_OK;
-    });
+    return read_body(context, world, id, digest != nullptr,
+                     [&](const World& object) { *digest = detent::digest_of(object, id_of(id)); });
   }
   static detent_status snapshot(const detent_context* context, detent_handle world, void* bytes,
                                 std::uint32_t room, std::uint32_t* size) {
@@ -410,12 +388,20 @@ struct Worlds {
   template <class F>
   static detent_status change_body(detent_context* context, detent_handle world, detent_id id,
                                    bool is_valid, const F& f) {
-    return change(context, world, [&](World& object) -> detent_status {
-      if (!is_valid) return DETENT_BAD_ARGUMENT;
-      if (!object.contains(id_of(id))) return DETENT_NO;
-      f(object);
-      return DETENT_OK;
-    });
+    return change(context, world, [&](World& object) { return if_body(object, id, is_valid, f); });
+  }
+  template <class F>
+  static detent_status read_body(const detent_context* context, detent_handle world, detent_id id,
+                                 bool is_valid, const F& f) {
+    return read(context, world,
+                [&](const World& object) { return if_body(object, id, is_valid, f); });
+  }
+  template <class Object, class F>
+  static detent_status if_body(Object& object, detent_id id, bool is_valid, const F& f) {
+    if (!is_valid) return DETENT_BAD_ARGUMENT;
+    if (!object.contains(id_of(id))) return DETENT_NO;
+    f(object);
+    return DETENT_OK;
   }
   /// f(world, body, numbers) for numbers about the axes.
   template <class F>

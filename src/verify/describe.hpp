@@ -88,8 +88,7 @@ std::string words(const Contact<S, N>& contact) {
 }
 template <Scalar S, int N>
 std::string words(const CastHit<S, N>& hit) {
-  return "distance " + words(hit.distance) + ", point " + words(hit.point) + ", normal " +
-         words(hit.normal);
+  return words(RayHit<S, N>{hit.distance, hit.point, hit.normal});
 }
 template <Scalar S>
 std::string words(const Impact<S>& impact) {

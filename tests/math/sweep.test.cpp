@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "detent/math/slerp.hpp"
+#include "math/frames.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
 
@@ -29,20 +30,6 @@ static_assert(transform_at(swing, quotient_nearest<Time>(1, 2)).translation ==
               Vec3{q16_16(3), q16_16(-3), q16_16(0)});
 static_assert(Sweep{Vec3{}, Vec3{}}.end_rotation == Rotation3());
 
-template <Scalar S, int N>
-Rotation<S, N> any_rotation(Random& random) {
-  if constexpr (N == 2) {
-    return Rotation<S, 2>::from_angle(
-        Angle<S>::from_raw(static_cast<std::uint32_t>(random.next())));
-  } else {
-    const auto part = [&] {
-      return S::from_raw(static_cast<typename S::raw_type>(random.wide(S::bits - 1)));
-    };
-    return Rotation<S, 3>::from_quaternion(part(), part(), part(), part())
-        .value_or(Rotation<S, 3>());
-  }
-}
-
 TEMPLATE_TEST_CASE("sweep: rotates by the interpolated quaternion of its ends", "",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
@@ -51,7 +38,7 @@ TEMPLATE_TEST_CASE("sweep: rotates by the interpolated quaternion of its ends", 
   Random random(0x53e9);
   INFO(random);
   for (int i = 0; i < 2000; ++i) {
-    const Sweep<S, N> sweep{{}, {}, any_rotation<S, N>(random), any_rotation<S, N>(random)};
+    const Sweep<S, N> sweep{{}, {}, random_rotation<S, N>(random), random_rotation<S, N>(random)};
     const C t = C::from_raw(static_cast<typename C::raw_type>(random.between(0, C(1).raw())));
     const auto rotation = transform_at(sweep, t).rotation;
     if constexpr (N == 3) {
@@ -97,7 +84,7 @@ TEMPLATE_TEST_CASE("sweep: no point deviates from uniform motion by more than th
   INFO(random);
   double closest = 0;
   for (int i = 0; i < 3000; ++i) {
-    const Sweep<S, N> sweep{{}, {}, any_rotation<S, N>(random), any_rotation<S, N>(random)};
+    const Sweep<S, N> sweep{{}, {}, random_rotation<S, N>(random), random_rotation<S, N>(random)};
     const detail::Turn<S, N> turn(sweep);
     const auto bend = static_cast<double>(turn.bend());
     REQUIRE((bend >= 0 && bend < 2.01));

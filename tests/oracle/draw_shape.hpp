@@ -21,6 +21,8 @@ enum class Kind {
   extreme,     // bits from the whole domain
   degenerate,  // on the lattice, collapsed or empty
 };
+inline constexpr std::array every_kind{Kind::general, Kind::lattice, Kind::tiny, Kind::extreme,
+                                       Kind::degenerate};
 
 /// The common setting of the shapes of one case, so that they can overlap.
 template <int N>

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 #include "detent/scene/scene.hpp"
+#include "support/catch.hpp"
 #include "support/shapes.hpp"
 
 namespace detent::test {
@@ -44,6 +48,35 @@ std::uint32_t add_one_of_each(Scene& scene, const Draw& draw, const FrameId& fra
     layer *= 2;
   });
   return layer;
+}
+
+/// Compares what a scene finds with a list, nearest first, whole and cut off. The nearest object of
+/// a point may be none of those that contain it.
+template <class Scene, class Question, Scalar S>
+void check_all(const Scene& scene, const Question& question, const InLayers& filter,
+               const std::vector<Found<S>>& expected) {
+  CHECK(scene.all(question, filter) == expected);
+  CHECK(scene.any(question, filter) == !expected.empty());
+  if constexpr (!requires { question.x; }) {
+    CHECK(scene.nearest(question, filter) ==
+          (expected.empty() ? std::nullopt : std::optional(expected.front())));
+  }
+  std::array<Found<S>, 3> room;
+  CHECK(scene.all(question, std::span(room), filter) == expected.size());
+  CHECK(std::equal(room.begin(), room.begin() + std::min<std::ptrdiff_t>(3, std::ssize(expected)),
+                   expected.begin()));
+}
+/// The same for hits.
+template <class Scene, class Question, Scalar S, int N>
+void check_hits(const Scene& scene, const Question& question, const InLayers& filter,
+                const std::vector<ObjectHit<S, N>>& expected) {
+  CHECK(scene.all_hits(question, filter) == expected);
+  CHECK(scene.nearest_hit(question, filter) ==
+        (expected.empty() ? std::nullopt : std::optional(expected.front())));
+  std::array<ObjectHit<S, N>, 2> room;
+  CHECK(scene.all_hits(question, std::span(room), filter) == expected.size());
+  CHECK(std::equal(room.begin(), room.begin() + std::min<std::ptrdiff_t>(2, std::ssize(expected)),
+                   expected.begin()));
 }
 
 }  // namespace detent::test

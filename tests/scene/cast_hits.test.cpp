@@ -74,13 +74,7 @@ void ask(const World& scene, const Cast<Moving>& moving, const InLayers& filter,
   std::sort(expected.begin(), expected.end());
   rate.count(!expected.empty());
   for (const auto& hit : expected) triangles += hit.triangle ? 1 : 0;
-  CHECK(scene.all_hits(moving, filter) == expected);
-  CHECK(scene.nearest_hit(moving, filter) ==
-        (expected.empty() ? std::nullopt : std::optional(expected.front())));
-  std::array<Hit, 2> room;
-  CHECK(scene.all_hits(moving, std::span(room), filter) == expected.size());
-  CHECK(std::equal(room.begin(), room.begin() + std::min<std::ptrdiff_t>(2, std::ssize(expected)),
-                   expected.begin()));
+  test::check_hits(scene, moving, filter, expected);
 }
 
 }  // namespace

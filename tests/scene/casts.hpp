@@ -2,8 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <variant>
 #include <vector>
 
@@ -11,10 +9,6 @@
 #include "scene/histories.hpp"
 
 namespace detent::test {
-
-inline constexpr oracle::Kind cast_kinds[] = {oracle::Kind::general, oracle::Kind::lattice,
-                                              oracle::Kind::tiny, oracle::Kind::extreme,
-                                              oracle::Kind::degenerate};
 
 template <Scalar S, int N, class Shape>
 std::vector<Found<S>> touched(const PlainScene<S, N>& plain, const Cast<Shape>& moving,
@@ -37,16 +31,7 @@ template <Scalar S, int N, class Shape>
 std::vector<Found<S>> ask_cast(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain,
                                const Cast<Shape>& moving, std::uint32_t mask) {
   const auto expected = touched(plain, moving, mask);
-  const InLayers filter{mask};
-  CHECK(scene.all(moving, filter) == expected);
-  CHECK(scene.any(moving, filter) == !expected.empty());
-  CHECK(scene.nearest(moving, filter) ==
-        (expected.empty() ? std::nullopt : std::optional(expected.front())));
-  std::array<Found<S>, 3> room;
-  const auto count = scene.all(moving, std::span(room), filter);
-  CHECK(count == expected.size());
-  CHECK(std::equal(room.begin(), room.begin() + static_cast<long>(std::min<std::size_t>(count, 3)),
-                   expected.begin()));
+  check_all(scene, moving, InLayers{mask}, expected);
   return expected;
 }
 
@@ -80,7 +65,7 @@ void check_casts(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain,
 template <Scalar S, int N, class... Shapes>
 void live_and_cast(std::uint64_t seed, std::size_t room, int steps, int checks) {
   HitRate rate;
-  for (const auto kind : cast_kinds) {
+  for (const auto kind : oracle::every_kind) {
     INFO("seed " << seed << ", kind " << static_cast<int>(kind));
     Historian<S, N> history(seed, kind);
     AnyScene<S, N> scene;

@@ -21,25 +21,25 @@
 
 namespace detent::test {
 
-/// What a scene should hold: a plain list, whose queries test each object.
-template <Scalar S, int N>
-class PlainScene {
- public:
-  using Shape = AnyShape<S, N>;
-  struct Object {
-    ObjectId id;
-    Shape shape;
-    Traits traits;
-  };
-  std::map<std::uint32_t, Object> objects;
+/// The shape to query for one in a list.
+template <class Shape>
+const Shape& asked(const Shape& shape) {
+  return shape;
+}
+
+/// A plain list of objects by index, whose queries test each `shape`.
+template <Scalar S, int N, class Object>
+struct PlainList {
+  std::map<std::uint32_t, Object> objects{};
 
   template <class Question>
-  std::vector<Found<S>> all(const Question& question, std::uint32_t mask) const {
+  std::vector<Found<S>> all(const Question& question, std::uint32_t mask = ~0u) const {
     std::vector<Found<S>> list;
     for (const auto& [index, object] : objects) {
       if ((object.traits.layers & mask) == 0) continue;
       std::visit(
-          [&, id = object.id](const auto& shape) {
+          [&, id = object.id](const auto& listed) {
+            const auto& shape = asked(listed);
             if constexpr (std::is_same_v<Question, Ray<S, N>>) {
               const auto distance = raycast(question, shape);
               if (distance) list.push_back({*distance, id});
@@ -52,6 +52,34 @@ class PlainScene {
     std::sort(list.begin(), list.end());
     return list;
   }
+
+  std::vector<Overlap> overlaps() const {
+    std::vector<Overlap> list;
+    for (auto a = objects.begin(); a != objects.end(); ++a) {
+      for (auto b = std::next(a); b != objects.end(); ++b) {
+        const auto &one = a->second, &other = b->second;
+        if (one.traits.motion == Motion::fixed && other.traits.motion == Motion::fixed) continue;
+        const bool meet = std::visit(
+            [](const auto& x, const auto& y) { return detail::meets(asked(x), asked(y)); },
+            one.shape, other.shape);
+        if (meet) list.push_back({one.id, other.id});
+      }
+    }
+    return list;
+  }
+};
+
+template <Scalar S, int N>
+struct PlainObject {
+  ObjectId id;
+  AnyShape<S, N> shape;
+  Traits traits;
+};
+
+/// What a scene should hold.
+template <Scalar S, int N>
+struct PlainScene : PlainList<S, N, PlainObject<S, N>> {
+  using PlainList<S, N, PlainObject<S, N>>::objects;
 
   /// Skips empty objects, for which `distance` returns the greatest number.
   std::optional<Found<S>> nearest(const Vec<S, N>& point, std::uint32_t mask) const {
@@ -66,22 +94,6 @@ class PlainScene {
       if (!best || found < *best) best = found;
     }
     return best;
-  }
-
-  std::vector<Overlap> overlaps() const {
-    std::vector<Overlap> list;
-    for (auto a = objects.begin(); a != objects.end(); ++a) {
-      for (auto b = std::next(a); b != objects.end(); ++b) {
-        if (a->second.traits.motion == Motion::fixed && b->second.traits.motion == Motion::fixed) {
-          continue;
-        }
-        const bool meet =
-            std::visit([](const auto& x, const auto& y) { return detent::overlaps(x, y); },
-                       a->second.shape, b->second.shape);
-        if (meet) list.push_back({a->second.id, b->second.id});
-      }
-    }
-    return list;
   }
 
   /// A scene of the same objects, added in index order.
@@ -100,7 +112,7 @@ class PlainScene {
 template <Scalar S, int N>
 class Historian {
  public:
-  using Shape = typename PlainScene<S, N>::Shape;
+  using Shape = AnyShape<S, N>;
 
   Historian(std::uint64_t seed, oracle::Kind kind)
       : draw_(seed),

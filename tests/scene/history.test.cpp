@@ -8,27 +8,15 @@ using detent::test::PlainScene;
 
 namespace {
 
-constexpr oracle::Kind kinds[] = {oracle::Kind::general, oracle::Kind::lattice, oracle::Kind::tiny,
-                                  oracle::Kind::extreme, oracle::Kind::degenerate};
-
 template <Scalar S, int N, class Question>
 long ask(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain, const Question& question,
          std::uint32_t mask) {
   const auto expected = plain.all(question, mask);
   const InLayers filter{mask};
-  CHECK(scene.all(question, filter) == expected);
-  CHECK(scene.any(question, filter) == !expected.empty());
-  const auto nearest = scene.nearest(question, filter);
+  detent::test::check_all(scene, question, filter, expected);
   if constexpr (std::is_same_v<Question, Vec<S, N>>) {
-    CHECK(nearest == plain.nearest(question, mask));
-  } else {
-    CHECK(nearest == (expected.empty() ? std::nullopt : std::optional(expected.front())));
+    CHECK(scene.nearest(question, filter) == plain.nearest(question, mask));
   }
-  std::array<Found<S>, 3> room;
-  const auto count = scene.all(question, std::span(room), filter);
-  CHECK(count == expected.size());
-  CHECK(std::equal(room.begin(), room.begin() + static_cast<long>(std::min<std::size_t>(count, 3)),
-                   expected.begin()));
   return expected.empty() ? 0 : 1;
 }
 
@@ -62,7 +50,7 @@ void check(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain, Historian
 
 template <Scalar S, int N>
 void live(std::uint64_t seed, std::size_t room, int steps, int checks) {
-  for (const auto kind : kinds) {
+  for (const auto kind : oracle::every_kind) {
     INFO("seed " << seed << ", kind " << static_cast<int>(kind));
     Historian<S, N> history(seed, kind);
     AnyScene<S, N> scene;

@@ -88,15 +88,7 @@ TEST_CASE("scene: hits equal those of single raycasts at the objects, for every 
         if (expected.back().triangle) ++triangles;
       }
       rate.count(!expected.empty());
-      CHECK(scene.all_hits(ray, filter) == expected);
-      const auto nearest = scene.nearest_hit(ray, filter);
-      CHECK(nearest == (expected.empty() ? std::nullopt : std::optional(expected.front())));
-      std::array<Hit, 2> room;
-      const auto count = scene.all_hits(ray, std::span(room), filter);
-      CHECK(count == expected.size());
-      CHECK(std::equal(room.begin(),
-                       room.begin() + std::min<std::ptrdiff_t>(2, std::ssize(expected)),
-                       expected.begin()));
+      test::check_hits(scene, ray, filter, expected);
     }
   }
   INFO(rate << ", " << triangles << " on triangles of meshes");

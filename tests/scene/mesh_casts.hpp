@@ -85,7 +85,6 @@ template <bool is_round, Scalar S>
 void compare_casts_at_meshes(std::uint64_t seed, int rounds) {
   HitRate rate;
   for_meshes<S>(seed, rounds, 7, [&](MeshKind kind, const auto& triangles, auto reach, auto& draw) {
-    INFO("kind " << static_cast<int>(kind) << ", seed " << draw.random.seed());
     const OwnedMesh<S> owned{std::span<const Triangle<S, 3>>(triangles)};
     compare_shapes<is_round>(owned.view(), triangles, kind, reach, draw, rate);
     const MeshAsset<S> asset(1, owned.view());

@@ -17,11 +17,6 @@ namespace {
 template <Scalar S>
 using Points = std::pair<Vec<S, 3>, Vec<S, 3>>;
 
-template <Scalar S>
-OwnedMesh<S> mesh_of(const std::vector<Triangle<S, 3>>& triangles) {
-  return OwnedMesh<S>{std::span<const Triangle<S, 3>>(triangles)};
-}
-
 /// The nearest triangle by a plain loop; among equal distances, the first.
 template <Scalar S, class Shape>
 Points<S> expected_points(const std::vector<Triangle<S, 3>>& triangles, const Shape& shape) {
@@ -50,9 +45,8 @@ void compare(const Mesh<S>& mesh, const std::vector<Triangle<S, 3>>& triangles,
 TEST_CASE("mesh: the closest points are those of the first nearest triangle", "[mesh]") {
   using S = q16_16;
   HitRate rate;
-  for_meshes<S>(0xc15d, 6, [&](MeshKind kind, const auto& triangles, auto, auto& draw) {
+  for_meshes<S>(0xc15d, 6, [&](auto, const auto& triangles, auto, auto& draw) {
     const auto owned = mesh_of(triangles);
-    INFO("kind " << static_cast<int>(kind) << ", seed " << draw.random.seed());
     const auto mesh = owned.view();
     compare<Sphere<S, 3>>(mesh, triangles, draw, rate);
     compare<Obb<S, 3>>(mesh, triangles, draw, rate);
@@ -67,8 +61,7 @@ TEST_CASE("mesh: closest points of two meshes are those of their first nearest t
           "[mesh]") {
   using S = q16_16;
   std::vector<Triangle<S, 3>> others;
-  for_meshes<S>(0xc15e, 3, [&](MeshKind kind, const auto& triangles, auto, auto& draw) {
-    INFO("kind " << static_cast<int>(kind) << ", seed " << draw.random.seed());
+  for_meshes<S>(0xc15e, 3, [&](auto, const auto& triangles, auto, auto&) {
     S least = largest<S>;
     Points<S> expected;
     bool is_first = true;

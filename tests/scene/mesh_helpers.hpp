@@ -18,6 +18,11 @@ inline constexpr std::array mesh_kinds{MeshKind::soup,      MeshKind::sheet,
                                        MeshKind::lattice,   MeshKind::duplicates,
                                        MeshKind::collapsed, MeshKind::extreme};
 
+template <Scalar S>
+OwnedMesh<S> mesh_of(const std::vector<Triangle<S, 3>>& triangles) {
+  return OwnedMesh<S>{std::span<const Triangle<S, 3>>(triangles)};
+}
+
 /// A mesh of a kind, within `reach` raw units except for extreme ones.
 template <Scalar S>
 std::vector<Triangle<S, 3>> draw_mesh(oracle::Draw<S, 3>& draw, MeshKind kind, std::size_t count,
@@ -114,6 +119,7 @@ void for_meshes(std::uint64_t seed, int rounds, int size_bits, const Body& body)
           draw.random.one_in(8)
               ? draw.random.below(9)
               : draw.random.below(std::uint64_t{1} << draw.random.between(2, size_bits));
+      INFO("kind " << static_cast<int>(kind) << ", seed " << draw.random.seed());
       body(kind, draw_mesh(draw, kind, count, reach), reach, draw);
     }
   }

@@ -31,11 +31,10 @@ bool overlaps_as_one_by_one(const Mesh<S>& mesh, const std::vector<Triangle<S, 3
 /// Compares shapes with meshes of a seed against a loop over all triangles.
 template <Scalar S>
 void compare_shapes(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
-  for_meshes<S>(seed, rounds, bits, [&](auto kind, const auto& triangles, auto reach, auto& draw) {
+  for_meshes<S>(seed, rounds, bits, [&](auto, const auto& triangles, auto reach, auto& draw) {
     const OwnedMesh<S> owned{std::span<const Triangle<S, 3>>(triangles)};
     const auto mesh = owned.view();
     auto& random = draw.random;
-    INFO("kind " << static_cast<int>(kind) << ", seed " << random.seed());
     for (int k = 0; k < 8; ++k) {
       const auto target = draw_target(draw, triangles, reach);
       const auto size = [&] { return draw.scalar(random.between(-reach / 64, reach / 3)); };
@@ -75,10 +74,9 @@ TEMPLATE_TEST_CASE("mesh: many more shapes overlap as loops over many more trian
 TEMPLATE_TEST_CASE("mesh: the nearest triangle to a point is that of a loop over all", "[mesh]",
                    q16_16, q8_8) {
   using S = TestType;
-  for_meshes<S>(0xc105e, 8, [&](MeshKind kind, const auto& triangles, auto reach, auto& draw) {
+  for_meshes<S>(0xc105e, 8, [&](auto, const auto& triangles, auto reach, auto& draw) {
     const OwnedMesh<S> owned{std::span<const Triangle<S, 3>>(triangles)};
     const auto mesh = owned.view();
-    INFO("kind " << static_cast<int>(kind) << ", seed " << draw.random.seed());
     for (int k = 0; k < 8; ++k) {
       const auto point =
           draw.vec(draw.random.one_in(4) ? draw.extreme_point() : draw.point(2 * reach));

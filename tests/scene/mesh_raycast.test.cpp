@@ -35,7 +35,6 @@ void compare_rays(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
       const auto ray = draw_mesh_ray(draw, triangles, kind, reach);
       const auto expected = hits_one_by_one(ray, triangles);
       rate.count(!expected.empty());
-      INFO("kind " << static_cast<int>(kind) << ", seed " << draw.random.seed());
       REQUIRE(raycast_any(ray, mesh) == !expected.empty());
       const auto nearest = raycast_nearest(ray, mesh);
       REQUIRE(nearest.has_value() == !expected.empty());

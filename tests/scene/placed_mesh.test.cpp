@@ -92,7 +92,6 @@ int same_answers(const PlacedMesh<S>& mesh, const TriangleLoop<S>& loop, MeshKin
 template <Scalar S>
 void compare_placed(std::uint64_t seed, int rounds, int bits, HitRate& rate, HitRate& pairs) {
   for_meshes<S>(seed, rounds, bits, [&](auto kind, const auto& triangles, auto reach, auto& draw) {
-    INFO("kind " << static_cast<int>(kind) << ", seed " << draw.random.seed());
     const OwnedMesh<S> owned{std::span<const Triangle<S, 3>>(triangles)};
     const MeshAsset<S> asset(1, owned.view());
     std::optional<PlacedMesh<S>> last;

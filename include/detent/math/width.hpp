@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "detent/math/vec.hpp"
 #include "detent/number/filter/filtered.hpp"
 
@@ -35,6 +37,22 @@ template <int Bits, Number T>
 template <int Bits, Number T, int N>
 [[nodiscard]] constexpr auto at_most(const Vec<T, N>& v) noexcept {
   return make_vec<N>([&](int i) { return at_most<Bits>(v[i]); });
+}
+
+/// The bits of the longest component, without its sign.
+template <Number T, int N>
+[[nodiscard]] constexpr int longest_bits(const Vec<T, N>& v) noexcept {
+  int length = 0;
+  for (int i = 0; i < N; ++i) length = (std::max)(length, bit_length(v[i].raw()));
+  return length;
+}
+/// v without its `dropped` low bits, rounded down. T holds the rest.
+template <class T, Number V, int N>
+[[nodiscard]] constexpr Vec<T, N> without_low_bits(const Vec<V, N>& v, int dropped) noexcept {
+  return make_vec<N>([&](int i) {
+    return T::assume_raw(
+        integer_cast<typename T::raw_type>(shift_right_floor(v[i].raw(), dropped)));
+  });
 }
 
 }  // namespace detail

@@ -96,6 +96,15 @@ void ask_on_the_way(Random& random, const Obb<S, 3>& box, const Triangle<S, 3>& 
   });
 }
 
+/// Whether all answers are right, and fewer than `most` of those for large boxes unsure.
+void check(const Random& random, const Count& any, const Count& large, int most) {
+  INFO(random << ": of " << any.asked << " and " << large.asked << " questions, unsure are "
+              << any.unsure << " and " << large.unsure);
+  CHECK(any.wrong + large.wrong == 0);
+  CHECK(any.unsure > 0);
+  CHECK(large.unsure < most);
+}
+
 TEMPLATE_TEST_CASE("OBB and OBB: the filter is correct or unsure", "[overlaps]", q16_16, q14_16,
                    q24_8) {
   using S = TestType;
@@ -113,11 +122,8 @@ TEMPLATE_TEST_CASE("OBB and OBB: the filter is correct or unsure", "[overlaps]",
     b.rotation = Rotation<S, 3>::from_axes({tilted.axis(0), other.axis(1), tilted.axis(2)});
     ask_on_the_way(random, a, b, any);
   }
-  INFO(random << ": of " << any.asked << " and " << large.asked << " questions, unsure are "
-              << any.unsure << " and " << large.unsure);
-  CHECK(any.wrong + large.wrong == 0);
-  CHECK(any.unsure > 0);
-  CHECK(large.unsure < large.asked / 2);  // half of the steps are within 2^-16 of the transition
+  // Half of the steps are within 2^-16 of the transition.
+  check(random, any, large, large.asked / 2);
 }
 
 TEMPLATE_TEST_CASE("OBB and triangle: the filter is correct or unsure", "[overlaps]", q16_16,
@@ -139,11 +145,7 @@ TEMPLATE_TEST_CASE("OBB and triangle: the filter is correct or unsure", "[overla
     box.rotation = Rotation<S, 3>::from_axes({tilted.axis(0), turn.axis(1), tilted.axis(2)});
     ask_on_the_way(random, box, triangle, any);
   }
-  INFO(random << ": of " << any.asked << " and " << large.asked << " questions, unsure are "
-              << any.unsure << " and " << large.unsure);
-  CHECK(any.wrong + large.wrong == 0);
-  CHECK(any.unsure > 0);
-  CHECK(large.unsure < large.asked * 3 / 4);
+  check(random, any, large, large.asked * 3 / 4);
 }
 
 }  // namespace

@@ -102,13 +102,8 @@ class CornersInFrame {
     const auto under = narrow<124>(abs(end - start));
     const auto ratio = make_ratio_below_one(over, under);
     const auto p = corner(from), q = corner(to);
-    Decided<Vec<S, 3>> result{{}, true};
-    for (int i = 0; i < 3; ++i) {
-      const auto x = decide_between<S>(p[i], narrow_difference<63>(q[i], p[i]), ratio);
-      result.value[i] = x.value;
-      result.is_sure = result.is_sure && x.is_sure;
-    }
-    return result;
+    return decide_each<S, 3>(
+        [&](int i) { return decide_between<S>(p[i], narrow_difference<63>(q[i], p[i]), ratio); });
   }
 
  private:

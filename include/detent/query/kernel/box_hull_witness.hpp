@@ -55,37 +55,12 @@ class BoxHullWitness {
   /// `no` if they are probably apart.
   [[nodiscard]] constexpr Filtered find() noexcept {
     if (!fits_) return Filtered::unsure;
-    Simplex<Rough, 3> simplex;
-    const auto add = [&](const Name& name, const RoughVec& place) {
-      names_[at(simplex.count)] = name;
-      simplex.add(place);
-    };
-    const auto first = least_along(rough_hull_[0]);
-    add(first, rough_corner(first));
-    for (int i = 0; i < 16; ++i) {
-      const bool is_found = with_direction(simplex, [&](const auto& v) {
-        const auto across = shortened<Rough::bits>(v);
-        const auto name = least_along(across);
-        const auto place = rough_corner(name);
-        // `across` is off by less than 1 in each component.
-        const auto step = narrow<29>(place - simplex.newest());
-        const auto error = narrow<31>(abs(step.x) + abs(step.y) + abs(step.z));
-        if (!(narrow_dot<60>(across, step) + error < 0)) return true;
-        add(name, place);
-        return false;
-      });
-      if (is_found) {
-        count_ = simplex.count;
-        return name_feature() ? Filtered::no : Filtered::unsure;
-      }
-      const auto all = simplex;
-      const auto from = names_;
-      const auto choice = nearest_corners(all);
-      if (choice.count > 3) return encloses_origin() ? Filtered::yes : Filtered::unsure;
-      simplex = {};
-      for (int k = 0; k < choice.count; ++k) add(from[at(choice[k])], all[choice[k]]);
-    }
-    return Filtered::unsure;
+    const int count = propose_feature(
+        names_, rough_hull_[0], [&](const RoughVec& v) { return least_along(v); },
+        [&](const Name& name) { return rough_corner(name); });
+    if (count > 3) return encloses_origin() ? Filtered::yes : Filtered::unsure;
+    count_ = count;
+    return count > 0 && name_feature() ? Filtered::no : Filtered::unsure;
   }
 
   /// The closest points of the box and the hull, rounded to nearest, if `find` returned `no`.
@@ -178,10 +153,7 @@ class BoxHullWitness {
     return make_vec<3>([&](int i) { return Place(narrow<32>(box_.center[i] - hull_[k][i])); });
   }
   [[nodiscard]] constexpr RoughVec rough(const Vec<Place, 3>& v) const noexcept {
-    return make_vec<3>([&](int i) {
-      return Rough::assume_raw(
-          integer_cast<typename Rough::raw_type>(shift_right_floor(v[i].raw(), dropped_)));
-    });
+    return without_low_bits<Rough>(v, dropped_);
   }
   [[nodiscard]] constexpr Name least_along(const RoughVec& v) const noexcept {
     Name name;
@@ -383,10 +355,7 @@ class BoxHullWitness {
     using Cut = Fixed<41, 0>;
     const int dropped = (std::max)(dropped_ - 12, 0);
     const auto cut = [dropped](const Vec<Place, 3>& v) {
-      return make_vec<3>([&](int k) {
-        return Cut::assume_raw(
-            integer_cast<typename Cut::raw_type>(shift_right_floor(v[k].raw(), dropped)));
-      });
+      return without_low_bits<Cut>(v, dropped);
     };
     std::array<Vec<Cut, 3>, 3> to;
     for (std::size_t k = 0; k < 3; ++k) to[k] = cut(corner({i, k}));
@@ -410,13 +379,8 @@ class BoxHullWitness {
     const auto ratio = make_ratio_below_one(start, narrow_sum<122>(start, end));
     const auto center = make_vec<3>([&](int k) { return Spot(box_.center[k]); });
     const auto p = moved<Spot>(center, edges_, i), q = moved<Spot>(center, edges_, j);
-    Decided<Vec<S, 3>> result{{}, true};
-    for (int k = 0; k < 3; ++k) {
-      const auto x = decide_between<S>(p[k], narrow_difference<63>(q[k], p[k]), ratio);
-      result.value[k] = x.value;
-      result.is_sure = result.is_sure && x.is_sure;
-    }
-    return result;
+    return decide_each<S, 3>(
+        [&](int k) { return decide_between<S>(p[k], narrow_difference<63>(q[k], p[k]), ratio); });
   }
 
   // A face with the edges e and f, each an axis of the box or an edge of the hull. The closest
@@ -440,16 +404,9 @@ class BoxHullWitness {
     const auto part = Leading(Fixed<2, 0>(1)) / Leading(whole);
     // x.w / (n.n), in the unit of the result.
     const auto share = [&]<class Result>(const auto& w, const Result&) {
-      int length = 0;
-      for (int i = 0; i < 3; ++i) length = (std::max)(length, bit_length(w[i].raw()));
-      const int dropped = (std::max)(length - 60, 0);
+      const int dropped = (std::max)(longest_bits(w) - 60, 0);
       using W = std::remove_cvref_t<decltype(w.x)>;
-      using Short = Fixed<61, W::frac>;
-      const auto over = narrow_dot<124>(
-          x, make_vec<3>([&](int i) {
-            return Short::assume_raw(
-                integer_cast<typename Short::raw_type>(shift_right_floor(w[i].raw(), dropped)));
-          }));
+      const auto over = narrow_dot<124>(x, without_low_bits<Fixed<61, W::frac>>(w, dropped));
       Leading leading(abs(over));
       leading.exponent += dropped;
       const auto magnitude = Result::assume_raw((leading * part).template scaled<Result::frac>());

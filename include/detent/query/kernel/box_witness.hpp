@@ -40,6 +40,46 @@ template <Number Place, Number Half, Number Component>
   return narrow_floor<Place>(narrow_product<62>(extent, component));
 }
 
+/// Proposes the feature closest to the origin: GJK (see gjk.hpp) on rounded numbers, from the corner
+/// that is least far along `start`. Sets the names of its corners and returns their number; 4 if
+/// they seem to enclose the origin, 0 if there is no answer.
+template <class Names, class LeastAlong, class Corner>
+[[nodiscard]] constexpr int propose_feature(Names& names, const Vec<Fixed<28, 0>, 3>& start,
+                                            const LeastAlong& least_along,
+                                            const Corner& corner) noexcept {
+  using Rough = Fixed<28, 0>;
+  Simplex<Rough, 3> simplex;
+  const auto add = [&](const auto& name, const Vec<Rough, 3>& place) {
+    names[static_cast<std::size_t>(simplex.count)] = name;
+    simplex.add(place);
+  };
+  const auto first = least_along(start);
+  add(first, corner(first));
+  for (int i = 0; i < 16; ++i) {
+    const bool is_found = with_direction(simplex, [&](const auto& v) {
+      const auto across = shortened<Rough::bits>(v);
+      const auto name = least_along(across);
+      const auto place = corner(name);
+      // `across` is off by less than 1 in each component.
+      const auto step = narrow<29>(place - simplex.newest());
+      const auto error = narrow<31>(abs(step.x) + abs(step.y) + abs(step.z));
+      if (!(narrow_dot<60>(across, step) + error < 0)) return true;
+      add(name, place);
+      return false;
+    });
+    if (is_found) return simplex.count;
+    const auto all = simplex;
+    const auto from = names;
+    const auto choice = nearest_corners(all);
+    if (choice.count > 3) return choice.count;
+    simplex = {};
+    for (int k = 0; k < choice.count; ++k) {
+      add(from[static_cast<std::size_t>(choice[k])], all[choice[k]]);
+    }
+  }
+  return 0;
+}
+
 /// The differences p - q of points p of box a and q of box b: center + sum s[m] extent[m] axis[m],
 /// |s[m]| <= 1, for the axes of a and the reversed axes of b. A feature is a corner, whose s[m] are
 /// -1 or 1, and up to two free axes, along which it extends.
@@ -108,46 +148,15 @@ class BoxWitness {
     if (dropped_ < 0) dropped_ = 0;
     rough_center_ = rough(c);
     for (std::size_t m = 0; m < size; ++m) rough_edges_[m] = rough(edges_[m]);
-
-    Simplex<Rough, 3> simplex;
-    const auto add = [&](Sides sides, const RoughVec& place) {
-      sides_[at(simplex.count)] = sides;
-      simplex.add(place);
-    };
-    const auto first = sides_along(rough_center_);
-    add(first, rough_corner(first));
-    for (int i = 0; i < 16; ++i) {
-      const bool is_found = with_direction(simplex, [&](const auto& v) {
-        const auto across = shortened<Rough::bits>(v);
-        const auto sides = sides_along(across);
-        const auto place = rough_corner(sides);
-        // `across` is off by less than 1 in each component.
-        const auto step = narrow<29>(place - simplex.newest());
-        const auto error = narrow<31>(abs(step.x) + abs(step.y) + abs(step.z));
-        if (!(narrow_dot<60>(across, step) + error < 0)) return true;
-        add(sides, place);
-        return false;
-      });
-      if (is_found) {
-        count_ = simplex.count;
-        return name_free_axes();
-      }
-      const auto all = simplex;
-      const auto from = sides_;
-      const auto choice = nearest_corners(all);
-      if (choice.count > 3) return false;
-      simplex = {};
-      for (int k = 0; k < choice.count; ++k) add(from[at(choice[k])], all[choice[k]]);
-    }
-    return false;
+    count_ = propose_feature(
+        sides_, rough_center_, [&](const RoughVec& v) { return sides_along(v); },
+        [&](Sides sides) { return rough_corner(sides); });
+    return count_ > 0 && count_ <= 3 && name_free_axes();
   }
 
   template <Number T>
   [[nodiscard]] constexpr RoughVec rough(const Vec<T, 3>& v) const noexcept {
-    return make_vec<3>([&](int i) {
-      return Rough::assume_raw(
-          integer_cast<typename Rough::raw_type>(shift_right_floor(v[i].raw(), dropped_)));
-    });
+    return without_low_bits<Rough>(v, dropped_);
   }
   /// The sides of the corner that is least far along v.
   [[nodiscard]] constexpr Sides sides_along(const RoughVec& v) const noexcept {

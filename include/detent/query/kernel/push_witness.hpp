@@ -84,7 +84,7 @@ class PushWitness {
     const auto& corners_b = corners_b_;
     if (corners_a.size() > RoundedCorners::capacity || corners_b.size() > RoundedCorners::capacity)
       return Outcome::unsure;
-    const int length = (std::max)(length_of(low), length_of(high));
+    const int length = (std::max)(longest_bits(low), longest_bits(high));
     if (length == 0) return Outcome::unsure;
     dropped_ = length - length_bits;
     const auto& from = corners_b[0];
@@ -142,13 +142,6 @@ class PushWitness {
     Raw key;
     std::array<Index, 3> corners;
   };
-
-  template <Number V>
-  [[nodiscard]] static constexpr int length_of(const Vec<V, 3>& v) noexcept {
-    int length = 0;
-    for (int i = 0; i < 3; ++i) length = (std::max)(length, bit_length(v[i].raw()));
-    return length;
-  }
 
   template <Number V>
   [[nodiscard]] constexpr Pair farthest(const Vec<V, 3>& v) const noexcept {

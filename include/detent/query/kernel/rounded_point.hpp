@@ -188,20 +188,28 @@ template <Scalar S, Number V, int N>
   }
 }
 
+/// The point of the coordinates decide(i); sure if all of them are.
+template <Scalar S, int N, class Decide>
+[[nodiscard]] constexpr Decided<Vec<S, N>> decide_each(const Decide& decide) noexcept {
+  Decided<Vec<S, N>> result{{}, true};
+  for (int i = 0; i < N; ++i) {
+    const Decided<S> x = decide(i);
+    result.value[i] = x.value;
+    result.is_sure = result.is_sure && x.is_sure;
+  }
+  return result;
+}
+
 /// The same by any vector in the direction of v; unsure if another one's error might round it
 /// otherwise: both are within 2^18 steps of the exact point.
 template <Scalar S, class Point, Number V, int N>
 [[nodiscard]] constexpr Decided<Vec<S, N>> decide_beyond(const Point& p, const S& radius,
                                                          const Vec<V, N>& v) noexcept {
   const auto moves = step_along(radius, to_array(v));
-  Decided<Vec<S, N>> result{{}, true};
-  for (int i = 0; i < N; ++i) {
+  return decide_each<S, N>([&](int i) {
     const auto sum = approximate_beyond<S>(p, moves, i).value;
-    const auto nearest = decide_nearest<S>(Approximate{sum, Steps<1 << 19>()});
-    result.is_sure = result.is_sure && nearest.is_sure;
-    result.value[i] = nearest.value;
-  }
-  return result;
+    return decide_nearest<S>(Approximate{sum, Steps<1 << 19>()});
+  });
 }
 
 /// A coordinate rounded to nearest; unsure, too, if it is out of range.
@@ -213,13 +221,7 @@ template <Scalar S, Number X, class Error>
 /// The same for a point with the coordinates at(i), off by less than `error`.
 template <Scalar S, int N, class At, class Error>
 [[nodiscard]] constexpr Decided<Vec<S, N>> decide_point(const At& at, const Error& error) noexcept {
-  Decided<Vec<S, N>> result{{}, true};
-  for (int i = 0; i < N; ++i) {
-    const auto nearest = decide_coordinate<S>(Approximate{at(i), error});
-    result.value[i] = nearest.value;
-    result.is_sure = result.is_sure && nearest.is_sure;
-  }
-  return result;
+  return decide_each<S, N>([&](int i) { return decide_coordinate<S>(Approximate{at(i), error}); });
 }
 
 }  // namespace detent::detail

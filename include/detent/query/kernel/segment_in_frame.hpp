@@ -166,19 +166,12 @@ class SegmentInFrame {
 
   /// Finds the sides as in `nearest_of_slabs`, with rounded numbers.
   constexpr void propose_sides() noexcept {
-    int length = Rough::bits;
-    for (int i = 0; i < N; ++i) {
-      length = (std::max)(length, bit_length(low_[i].raw()));
-      length = (std::max)(length, bit_length(high_[i].raw()));
-      length = (std::max)(length, bit_length(d_[i].raw()));
-    }
-    const auto rough = [dropped = length - Rough::bits](const auto& v) {
-      return make_vec<N>([&](int i) {
-        return Rough::assume_raw(
-            integer_cast<typename Rough::raw_type>(shift_right_floor(v[i].raw(), dropped)));
-      });
-    };
-    const auto low = rough(low_), high = rough(high_), d = rough(d_);
+    const int length =
+        (std::max)({Rough::bits, longest_bits(low_), longest_bits(high_), longest_bits(d_)});
+    const int dropped = length - Rough::bits;
+    const auto low = without_low_bits<Rough>(low_, dropped);
+    const auto high = without_low_bits<Rough>(high_, dropped);
+    const auto d = without_low_bits<Rough>(d_, dropped);
     // Whether the distance still falls at the time over / under.
     const auto falls_at = [&](const Rough& over, const Rough& under) {
       const auto rise = [&](int i) {
@@ -256,15 +249,11 @@ class SegmentInFrame {
   [[nodiscard]] constexpr Decided<Vec<S, N>> on_segment() const noexcept {
     if (over_ == 0) return {segment_.start, true};
     if (over_ == under_) return {segment_.end, true};
-    Decided<Vec<S, N>> result{{}, true};
     const auto ratio = make_ratio_below_one(over_, under_);
-    for (int i = 0; i < N; ++i) {
+    return decide_each<S, N>([&](int i) {
       const auto& start = segment_.start[i];
-      const auto x = decide_between<S>(start, segment_.end[i] - start, ratio);
-      result.value[i] = x.value;
-      result.is_sure = result.is_sure && x.is_sure;
-    }
-    return result;
+      return decide_between<S>(start, segment_.end[i] - start, ratio);
+    });
   }
   /// The closest point of the box in its frame; `place` is that of the segment.
   [[nodiscard]] constexpr Vec<Place, N> on_box(const Vec<Place, N>& place) const noexcept {

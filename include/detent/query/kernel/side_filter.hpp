@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "detent/math/vec.hpp"
+#include "detent/math/width.hpp"
 #include "detent/number/filter/filtered.hpp"
 
 namespace detent::detail {
@@ -19,13 +19,7 @@ class SideFilter {
  public:
   explicit constexpr SideFilter(const Vec<T, 3>& normal) noexcept : normal_(normal) {
     if constexpr (is_long) {
-      int length = 0;
-      for (int i = 0; i < 3; ++i) length = (std::max)(length, bit_length(normal[i].raw()));
-      const int dropped = (std::max)(length - Word::bits, 0);
-      leading_ = make_vec<3>([&](int i) {
-        return Word::assume_raw(
-            integer_cast<Word::raw_type>(shift_right_floor(normal[i].raw(), dropped)));
-      });
+      leading_ = without_low_bits<Word>(normal, (std::max)(longest_bits(normal) - Word::bits, 0));
     }
   }
 

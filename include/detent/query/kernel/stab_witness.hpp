@@ -84,7 +84,7 @@ class StabWitness {
     constexpr Decided<std::optional<Entry>> unsure{std::nullopt, false};
     if (!has_few_corners(a_) || !has_few_corners(b_)) return unsure;
     const Corner low = b_.low() - a_.high(), high = b_.high() - a_.low();
-    const int dropped = (std::max)((std::max)(length_of(low), length_of(high)) - end_bits, 0);
+    const int dropped = (std::max)((std::max)(longest_bits(low), longest_bits(high)) - end_bits, 0);
     const auto from = a_.some();
     const auto rough_a = rough_corners(a_, dropped, from);
     const auto rough_b = rough_corners(b_, dropped, from);
@@ -124,13 +124,6 @@ class StabWitness {
   struct Index {
     std::size_t a, b;
   };
-
-  template <Number V>
-  [[nodiscard]] static constexpr int length_of(const Vec<V, dimension>& v) noexcept {
-    int length = 0;
-    for (int i = 0; i < dimension; ++i) length = (std::max)(length, bit_length(v[i].raw()));
-    return length;
-  }
 
   template <class Body>
   static constexpr bool is_array = requires(const Body& body) {

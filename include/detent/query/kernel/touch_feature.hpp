@@ -159,26 +159,12 @@ class TouchFeature {
       return Rough::assume_raw(integer_cast<typename Rough::raw_type>(words[i].raw()));
     });
   }
-  template <Number V>
-  [[nodiscard]] static constexpr int length_of(const Vec<V, 3>& v) noexcept {
-    int length = 0;
-    for (int i = 0; i < 3; ++i) length = (std::max)(length, bit_length(v[i].raw()));
-    return length;
-  }
-  template <int Bits>
-  [[nodiscard]] static constexpr auto rough(const Place& v, int dropped) noexcept {
-    using T = Fixed<Bits, 0>;
-    return make_vec<3>([&](int i) {
-      return T::assume_raw(
-          integer_cast<typename T::raw_type>(shift_right_floor(v[i].raw(), dropped)));
-    });
-  }
 
   template <class Feature>
   [[nodiscard]] constexpr bool is_closest(const Feature& feature) const noexcept {
     const auto offset = way_ * time_;
-    const int length = (std::max)(length_of(b_.low() - a_.high() - offset),
-                                  length_of(b_.high() - a_.low() - offset));
+    const int length = (std::max)(longest_bits(b_.low() - a_.high() - offset),
+                                  longest_bits(b_.high() - a_.low() - offset));
     const int dropped = (std::max)(length - (Rough::bits - 1), 0);
     // How far the components of a place are from the rounded one, until the next time.
     const int finer = W::frac - dropped;
@@ -187,7 +173,7 @@ class TouchFeature {
     std::array<Vec<Rough, 3>, 3> places;
     for (std::size_t k = 0; k < places.size(); ++k) {
       const auto& corner = feature.corners[k < static_cast<std::size_t>(feature.count) ? k : 0];
-      places[k] = rough<Rough::bits>(corner - offset, dropped);
+      places[k] = without_low_bits<Rough>(corner - offset, dropped);
     }
     constexpr Slack one(1);
     constexpr auto unit = Fixed<31, 0>::assume_raw(1 << 30);
@@ -223,7 +209,7 @@ class TouchFeature {
                                          int dropped) const noexcept {
     const auto is_ahead = [&](const Edge& edge) {
       const auto wide = make_vec<3>([&](int i) { return PlacePart(edge[i]); });
-      return dot(v, rough<29>(wide, dropped)) > margin;
+      return dot(v, without_low_bits<Fixed<29, 0>>(wide, dropped)) > margin;
     };
     for (std::size_t j = 0; j < b_.corners().size(); ++j) {
       if (!has(in_b_, count_b_, j) && !is_ahead(b_.corners()[j] - corner_b(0))) return false;

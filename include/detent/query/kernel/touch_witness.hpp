@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "detent/math/width.hpp"
 #include "detent/number/filter/filtered.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/gjk.hpp"
@@ -27,9 +28,8 @@ template <int Bits, Number V, int N>
   if constexpr (bits_of<V> <= Bits) {
     return v;
   } else {
-    int length = 0;
-    for (int i = 0; i < N; ++i) length = (std::max)(length, bit_length(v[i].raw()));
-    return make_vec<N>([&](int i) { return scale_down<Bits>(v[i], (std::max)(length - Bits, 0)); });
+    const int dropped = (std::max)(longest_bits(v) - Bits, 0);
+    return make_vec<N>([&](int i) { return scale_down<Bits>(v[i], dropped); });
   }
 }
 
@@ -167,19 +167,6 @@ class TouchWitness {
   [[nodiscard]] constexpr Moved moved(const Corner& corner, const S& time) const noexcept {
     return corner - way_ * time;
   }
-  [[nodiscard]] static constexpr int length_of(const Moved& v) noexcept {
-    int length = 0;
-    for (int i = 0; i < dimension; ++i) length = (std::max)(length, bit_length(v[i].raw()));
-    return length;
-  }
-  /// In steps of 2^dropped.
-  template <class T = Rough>
-  [[nodiscard]] static constexpr Vec<T, dimension> rough(const Moved& v, int dropped) noexcept {
-    return make_vec<dimension>([&](int i) {
-      return T::assume_raw(
-          integer_cast<typename T::raw_type>(shift_right_floor(v[i].raw(), dropped)));
-    });
-  }
   /// The feature in the bits of T.
   template <class T>
   [[nodiscard]] constexpr Simplex<T, dimension> simplex_at(const S& time) const noexcept {
@@ -188,12 +175,12 @@ class TouchWitness {
     for (int k = 0; k < count_; ++k) {
       auto& corner = corners[static_cast<std::size_t>(k)];
       corner = moved(corners_[static_cast<std::size_t>(k)], time);
-      length = (std::max)(length, length_of(corner));
+      length = (std::max)(length, longest_bits(corner));
     }
     const int dropped = (std::max)(length - (T::bits - 1), 0);
     Simplex<T, dimension> simplex;
     for (int k = 0; k < count_; ++k) {
-      simplex.add(rough<T>(corners[static_cast<std::size_t>(k)], dropped));
+      simplex.add(without_low_bits<T>(corners[static_cast<std::size_t>(k)], dropped));
     }
     return simplex;
   }
@@ -306,25 +293,27 @@ class TouchWitness {
   /// there are more than N corners, they seem to enclose the origin.
   [[nodiscard]] constexpr bool find(const S& time, bool until_apart = false) noexcept {
     count_ = 0;
-    const int dropped = (std::max)(
-        (std::max)(length_of(moved(low_, time)), length_of(moved(high_, time))) - (Rough::bits - 1),
-        0);
+    const int dropped =
+        (std::max)((std::max)(longest_bits(moved(low_, time)), longest_bits(moved(high_, time))) -
+                       (Rough::bits - 1),
+                   0);
     Simplex<Rough, dimension> simplex;
     const auto add = [&](const Corner& corner, const Vec<Rough, dimension>& place) {
       corners_[static_cast<std::size_t>(simplex.count)] = corner;
       simplex.add(place);
     };
     // A corner on the near side.
-    const auto low = rough(moved(low_, time), dropped), high = rough(moved(high_, time), dropped);
+    const auto low = without_low_bits<Rough>(moved(low_, time), dropped),
+               high = without_low_bits<Rough>(moved(high_, time), dropped);
     const Corner first = least_along(across(low + high));
-    add(first, rough(moved(first, time), dropped));
+    add(first, without_low_bits<Rough>(moved(first, time), dropped));
     for (int i = 0; i < 24; ++i) {
       const bool is_found = with_direction(simplex, [&](const auto& v) {
         across_ = across(v);
         const Corner corner = least_along(across_);
         reached_ = dot(across_, corner);
         if (until_apart && reached_ > 0) return true;
-        const auto place = rough(moved(corner, time), dropped);
+        const auto place = without_low_bits<Rough>(moved(corner, time), dropped);
         if (!(dot(v, place) < dot(v, simplex.newest()))) return true;
         add(corner, place);
         return false;
