@@ -78,7 +78,7 @@ TEST_CASE("hold: a body is held until it has moved or turned too far") {
   CHECK(renewals < 10);
 
   Scene<q16_16, 2> turning(4);
-  turning.options.angular_velocity = {num<q16_16>(1.2)};  // 0.02 a tick
+  turning.options.angular_velocity = {num<q16_16>(0.3)};  // 0.005 a tick
   turning.add(box_at<q16_16, 2>(0, 0.268, 0.25, 0.25));
   const auto& other = detail::WorldAccess::bodies(turning.world)[turning.top.index];
   turning.step(1);

@@ -45,7 +45,7 @@ template <Scalar S, int N>
           quotient_nearest<typename F::Spin>(settings.sleep_speed, as_operand<S>(rate)),
           nearest_to<typename F::Lever>(settings.margin),
           saturate_to<Speed>(settings.hold_distance),
-          quotient_nearest<typename F::Spin>(as_operand<S>(1), as_operand<S>(32))};
+          quotient_nearest<typename F::Spin>(as_operand<S>(1), as_operand<S>(128))};
 }
 
 /// Whether a body is locked along an axis, by the bits of `AxisLock`.

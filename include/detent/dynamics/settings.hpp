@@ -78,7 +78,7 @@ struct WorldSettings {
   S bounce_threshold = S(1);                   // slower impacts do not bounce
   S sleep_speed = detail::fraction<S>(1, 20);  // slower bodies may sleep; 0: never
   /// Bodies keep the geometry of their contacts while they move no more than this and turn by no
-  /// more than 1/32, so that tall stacks stand. 0: never.
+  /// more than 1/128, so that tall stacks stand. 0: never.
   S hold_distance = detail::fraction<S>(1, 10);
 };
 

@@ -30,7 +30,7 @@ class World:
         self.sleep_spin = f.spin.quotient(settings["sleep"], rate, f.F)
         self.margin_raw = settings["margin"]
         self.margin = f.lever.near(settings["margin"], f.F)
-        self.hold, self.hold_turn = f.speed.near(settings["hold"], f.F), 1 << 23
+        self.hold, self.hold_turn = f.speed.near(settings["hold"], f.F), 1 << 21
         self.bodies, self.contacts, self.joints = [], {}, []  # None for a removed joint
 
     def add(self, motion, shape, place, q, options, frame):
