@@ -223,7 +223,7 @@ function quality(plan, first, last, before) {
 
 await RAPIER.init();
 const detent = new Detent('q16_16');
-const engines = [detent, new Detent('q16_16', 0.1), new Detent('float'), new Rapier(), new Jolt(await initJolt())];
+const engines = [detent, new Detent('float'), new Rapier(), new Jolt(await initJolt())];
 const rows = [];
 const text = (x, digits) => x === undefined ? '' : x.toFixed(digits);
 console.log(`scene,${engines.map(({ name }) => `${name} ms`).join()},${engines.slice(1).map(({ name }) => `detent : ${name}`).join()}`);
