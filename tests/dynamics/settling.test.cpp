@@ -385,7 +385,7 @@ TEST_CASE("settling: a heap of 200 boxes, capsules, balls and hulls sleeps, as i
   CHECK(fixed.asleep < 900);
   CHECK(fixed.lowest > 0.17);  // the smallest radius is 0.176
   CHECK(fixed.gain < 1e-8);
-  CHECK(fixed.digest == 0x8e2b666bbf5dfcd5u);
+  CHECK(fixed.digest == 0x778ff0268aa35b4du);
   check_stays(heap.world, 0, 1000);
   Heap<double> other;
   const auto real = end_of(other, 2000);
@@ -414,13 +414,13 @@ TEST_CASE("settling: a car with suspension drives over hills, brakes and sleeps"
   CHECK(std::fabs(fixed.x - real.x) < 0.05);
   CHECK(std::fabs(fixed.y - real.y) < 0.05);
   CHECK(std::fabs(fixed.z - real.z) < 0.1);
-  CHECK(fixed.digest == 0x72710b89e537637bu);
+  CHECK(fixed.digest == 0xdb6b5b41a110456eu);
 }
 
 TEST_CASE(
     "settling: a ball that is thrown at the far corner of the world has the same bits, moved") {
   const auto here = throw_at(0, 0, 0);
-  CHECK(here == 0x9dd34226b89cedb2u);
+  CHECK(here == 0xb4fe40d774390beeu);
   CHECK(throw_at(20000, -30000, 12000) == here);
   CHECK(throw_at(32700, 32700, 32700) == here);
   CHECK(throw_at(-32700.25, 32700.5, -32700.0625) == here);

@@ -364,7 +364,7 @@ TEST_CASE("standing: an arch of hulls stands") {
 
 TEST_CASE("standing: all dominoes fall") {
   check(dominoes<q16_16>(), dominoes<double>(), {200, -0.46, -0.44, 0.7, 0, 1e-3},
-        0xbd6bf0ee9e9da3c3u);
+        0xacc5454235d4da5cu);
 }
 
 TEST_CASE("standing: the last ball of a cradle swings as high as the first") {
@@ -375,12 +375,12 @@ TEST_CASE("standing: the last ball of a cradle swings as high as the first") {
 }
 
 TEST_CASE("standing: a bridge holds three boxes") {
-  check(bridge<q16_16>(), bridge<double>(), {0, -0.9, -0.7, 0.01, 0.02, 5e-3}, 0x5c123c6d61a77bbcu);
+  check(bridge<q16_16>(), bridge<double>(), {0, -0.9, -0.7, 0.01, 0.02, 5e-3}, 0xf1724e50d0d4f708u);
 }
 
 TEST_CASE("standing: 20 ragdolls stay whole") {
   // While tumbling they diverge from those in double.
-  check(ragdolls<q16_16>(120), ragdolls<double>(120), {0, -11, -5, 2, 0.1, 2}, 0x34c0a5e92a7fc41du);
+  check(ragdolls<q16_16>(120), ragdolls<double>(120), {0, -11, -5, 2, 0.1, 2}, 0x1d30bd1aa997ddb8u);
 }
 
 TEST_CASE("standing: a T-handle keeps flipping and keeps its energy") {
