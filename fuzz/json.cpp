@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Reading a scene file of any bytes gives a value or an error that names the file. The tokens of
-// the tree are at their reported positions, and no other exception leaves the reader.
+// Reading a file of any bytes as a scene or as a world gives a value or an error that names the
+// file. The tokens of the tree are at their reported positions, and no other exception leaves the
+// reader.
 
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "json_reader.hpp"
 #include "property.hpp"
 #include "scene_reader.hpp"
+#include "world_model.hpp"
 
 namespace detent::fuzz {
 namespace {
@@ -77,10 +79,13 @@ bool returns(const Read& read) {
 void property(Bytes input) {
   const std::string content(reinterpret_cast<const char*>(input.data()), input.size());
   const bool is_json = returns([&] { Tree(content).check(cli::read_json("f/f", content)); });
-  // A scene may name any file for a mesh; here only names of missing files are allowed.
+  // A mesh may name any file; here only names of missing files are allowed.
   if (content.find('/') != std::string::npos || content.find("\\u") != std::string::npos) return;
   const bool is_scene = returns([&] { (void)cli::parse_scene("f/f", content); });
+  const bool is_world = returns([&] { (void)cli::parse_world("f/f", content); });
   require(is_json || !is_scene, [] { return std::string("a scene that is no JSON"); });
+  require(is_json || !is_world, [] { return std::string("a world that is no JSON"); });
+  require(!is_scene || !is_world, [] { return std::string("a scene that is a world"); });
 }
 
 }  // namespace detent::fuzz

@@ -73,6 +73,7 @@ struct Pairs {
            std::int32_t within) noexcept
         : moves_b(sweep_b != nullptr), target(Input<N>::number(within)) {
       Input<N> in;
+      // cppcheck-suppress useInitializationList  // `in` is shared
       a = sweep(in, sweep_a);
       if (moves_b) b = sweep(in, *sweep_b);
       is_valid = in.is_valid();
@@ -102,6 +103,7 @@ struct Pairs {
       return DETENT_NO_QUERY;
     } else if constexpr (requires { detent::time_of_impact(a, motion.a, b, motion.b); }) {
       return result(detent::time_of_impact(a, motion.a, b, motion.b, motion.target));
+      // cppcheck-suppress identicalConditionAfterEarlyExit  // false positive: different arguments
     } else if constexpr (requires { detent::time_of_impact(a, motion.a, b, motion.target); }) {
       if (motion.moves_b) return DETENT_NO_QUERY;
       return result(detent::time_of_impact(a, motion.a, b, motion.target));

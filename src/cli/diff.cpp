@@ -190,6 +190,11 @@ Contents read_snapshot(const std::string& file, const std::string& text) {
   const auto bytes = as_bytes(text);
   SnapshotHeader header;
   const auto read = detail::open(bytes, header);
+  if (read == Restored::no_snapshot && text.starts_with("DTNW")) {  // WorldHeader
+    throw InputError(file, {},
+                     "a snapshot of a world; name snapshots of scenes, and compare worlds with "
+                     "diff(a, b) in a program");
+  }
   if (read != Restored::yes) {
     throw InputError(file, {}, std::string(detent::describe(read)) + remedy);
   }

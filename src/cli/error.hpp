@@ -27,4 +27,11 @@ class InputError : public std::runtime_error {
 /// `text` on one line without control characters, so that no input can forge a second line.
 [[nodiscard]] std::string one_line(std::string_view text);
 
+/// `name` in quotation marks. Truncates long names, so that a message stays readable whatever the
+/// file contains.
+[[nodiscard]] std::string in_quotes(std::string_view name);
+
+/// The last characters of `text`, after an ellipsis if it is long: what a reader saw before an error.
+[[nodiscard]] std::string end_of(std::string_view text);
+
 }  // namespace detent::cli

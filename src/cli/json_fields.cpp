@@ -8,11 +8,6 @@
 
 namespace detent::cli {
 
-std::string in_quotes(std::string_view name) {
-  constexpr std::size_t longest = 40;
-  return '"' + std::string(name.substr(0, longest)) + (name.size() > longest ? "...\"" : "\"");
-}
-
 namespace {
 
 std::string listed(const std::vector<std::string_view>& keys) {

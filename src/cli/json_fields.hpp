@@ -13,9 +13,6 @@
 
 namespace detent::cli {
 
-/// Truncates long names, so that a message stays readable whatever the file contains.
-[[nodiscard]] std::string in_quotes(std::string_view name);
-
 /// Reads the fields of a JSON file; anything invalid throws an InputError with its position and
 /// what to write.
 class JsonFields {

@@ -106,11 +106,12 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     const auto& members = open_.back()->items;
     if (members.size() == most_members) {
       fail(key_place_, "more than " + std::to_string(most_members) +
-                           " keys in one object; a scene needs no more than eight");
+                           " keys in one object; remove those that docs/tool.md does not list");
     }
     for (const JsonNode& member : members) {
       if (member.key == name) {
-        fail(key_place_, "key \"" + name + "\" appears twice in one object; keep one of them");
+        fail(key_place_,
+             "key " + in_quotes(name) + " appears twice in one object; keep one of them");
       }
     }
     key_ = std::move(name);
@@ -128,7 +129,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
         what.remove_prefix(at + lead.size());
       }
     }
-    std::string reason(what);
+    std::string reason = with_short_quote(what);
     std::replace(reason.begin(), reason.end(), ';', ',');
     fail(places_.at(error_start(what)), "malformed JSON: " + reason + "; correct the file here");
     return false;
@@ -137,6 +138,18 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  private:
   [[noreturn]] void fail(Place place, const std::string& what) const {
     throw InputError(file_, place, what);
+  }
+
+  /// The parser's message, which quotes a whole token: a string may be the rest of the file.
+  static std::string with_short_quote(std::string_view what) {
+    constexpr std::string_view lead = "last read: '";
+    const auto lead_at = what.find(lead);
+    if (lead_at == std::string_view::npos) return std::string(what);
+    const auto start = lead_at + lead.size();
+    const auto end = std::max(start, std::min(what.rfind("'; expected "), what.size() - 1));
+    return std::string(what.substr(0, start))
+        .append(end_of(what.substr(start, end - start)))
+        .append(what.substr(end));
   }
 
   /// Where the unexpected token begins, or the character that cannot begin a token.
@@ -190,7 +203,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     }
     if (open_.size() == deepest_nesting) {
       fail(node.place, "nested deeper than " + std::to_string(deepest_nesting) +
-                           " levels; a scene needs no more than five");
+                           " levels; scenes and worlds need no more than seven");
     }
     JsonNode& parent = *open_.back();
     if (parent.kind == JsonNode::Kind::object) {

@@ -23,6 +23,15 @@ void fill_standard_descriptors() {
   if (descriptor > STDERR_FILENO) close(descriptor);
 }
 
+/// The name of the program, then those of the commands that the command line names.
+std::string name_as_called(const CLI::App& app) {
+  std::string name = app.get_name();
+  for (const CLI::App* const command : app.get_subcommands()) {
+    name += ' ' + name_as_called(*command);
+  }
+  return name;
+}
+
 int fail(const std::string& name, const char* what) {
   constexpr int bad_input = 2;
   std::fprintf(stderr, "%s: %s\n", name.c_str(), one_line(what).c_str());
@@ -51,7 +60,7 @@ bool parse(CLI::App& app, int argc, char** argv) {
     print(text.str());
     return false;
   } catch (const CLI::ParseError& error) {
-    throw InputError(std::string(error.what()) + "; see " + app.get_name() + " --help");
+    throw InputError(std::string(error.what()) + "; see " + name_as_called(app) + " --help");
   }
   return true;
 }

@@ -104,7 +104,7 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
       case Restored::yes:
         return;
       case Restored::no_snapshot:
-        throw InputError(file, {}, "is not a snapshot of a world; write one with --snapshot-at");
+        throw InputError(file, {}, "is not a snapshot of a world; write one with --out");
       case Restored::other_version:
         throw InputError(file, {}, "a snapshot of another version of detent; write it again");
       case Restored::truncated:

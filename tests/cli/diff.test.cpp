@@ -142,6 +142,7 @@ TEST_CASE("diff: bytes that are not a snapshot are refused by name") {
   const auto right = bytes_of(toys());
   CHECK(refusal("", right).starts_with("a.snap: the snapshot is cut off; "));
   CHECK(refusal(right, right.substr(1)).starts_with("b.snap: these bytes are not a snapshot; "));
+  CHECK(refusal(right, "DTNW" + right.substr(4)).starts_with("b.snap: a snapshot of a world; "));
   auto changed = right;
   changed[60] = static_cast<char>(changed[60] + 1);
   CHECK(

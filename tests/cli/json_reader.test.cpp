@@ -79,6 +79,26 @@ TEST_CASE("json: malformed text is refused at the faulty position") {
   CHECK(starts(error_of(std::string(100'000, '[')), "f:1:65: nested deeper than 64"));
 }
 
+TEST_CASE("json: messages quote little of long keys and strings") {
+  const std::string name(100'000, 'k'), forty(40, 'k');
+  CHECK(error_of("{\"" + name + "\": 1, \"" + name + "\": 2}") ==
+        "f:1:100009: key \"" + forty + "...\" appears twice in one object; keep one of them");
+  const auto unclosed = error_of("[\"" + name);
+  CHECK(unclosed.find("last read: '..." + forty + "'") != std::string::npos);
+  CHECK(unclosed.size() < 200);
+  const auto unescaped = error_of("[\"" + name + "\n\"]");
+  CHECK(unescaped.find("last read: '...k") != std::string::npos);
+  CHECK(unescaped.size() < 250);
+  CHECK(error_of("[nul]").find("last read: '[nul]'") != std::string::npos);
+  // Whole characters of two bytes.
+  std::string accents;
+  for (int i = 0; i < 30; ++i) accents += "\u00e9";
+  CHECK(error_of("{\"" + accents + "\": 1, \"" + accents + "\": 2}")
+            .find(accents.substr(0, 40) + "...") != std::string::npos);
+  CHECK(error_of("{\"k" + accents + "\": 1, \"k" + accents + "\": 2}")
+            .find("\"k" + accents.substr(0, 38) + "...") != std::string::npos);
+}
+
 TEST_CASE("json: an object with very many keys is refused before it takes time") {
   std::string content = "{";
   for (int i = 0; i < 200'000; ++i) content += "\"" + std::to_string(i) + "\": 0,";

@@ -481,6 +481,7 @@ TEST_CASE("detent simulate: wrong options and snapshots are refused, and nothing
     CHECK(refuses(result, what));
     CHECK(shop.file_count() == files);
   };
+  refused("", "world is required; see detent simulate --help");
   refused("none.json", "none.json: no such file; ");
   refused("flat.json --scalar q8_8",
           "--scalar: no world has the scalar \"q8_8\"; choose from q16_16,");
@@ -497,6 +498,7 @@ TEST_CASE("detent simulate: wrong options and snapshots are refused, and nothing
   refused("flat.json --scalar float --resume good", "good: a snapshot of a world with different ");
   refused("flat.json --offset 1,0,0 --resume good",
           "good: a snapshot of a world with different fixed");
+  CHECK(refuses(shop.run("diff good good"), "good: a snapshot of a world; "));
   refused("level.json --animation x.png", "level.json: the world has no \"camera\"; ");
   refused("flat.json --frames flat.json/x", "flat.json/x: cannot be created as a directory; ");
 }

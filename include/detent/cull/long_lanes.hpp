@@ -210,6 +210,7 @@ class ArrayLongLanes {
 #if __STDC_HOSTED__
   /// To nearest; 0 for what does not fit.
   static LongWord rounded(double x) noexcept {
+    // cppcheck-suppress incorrectLogicOperator  // false positive: hexadecimal exponents
     return x > -0x1p62 && x < 0x1p62 ? static_cast<LongWord>(std::floor(x + 0.5)) : 0;
   }
 #endif

@@ -167,6 +167,7 @@ class Simd128LongLanes {
         high_(high),
         halves_(__builtin_shufflevector(__builtin_bit_cast(Halves, low),
                                         __builtin_bit_cast(Halves, high), 0, 2, 4, 6)) {}
+  // cppcheck-suppress uninitMemberVarPrivate  // the instructions set them
   explicit Simd128LongLanes(const Halves& x) noexcept : halves_(x) {
     asm("local.get %1\n i64x2.extend_low_i32x4_s\n local.set %0" : "=r"(low_) : "r"(x));
     asm("local.get %1\n i64x2.extend_high_i32x4_s\n local.set %0" : "=r"(high_) : "r"(x));

@@ -91,7 +91,7 @@ constexpr Walk visit_nearest_first(const typename Tree::Part& root, const Tree& 
       if (met != 0) {
         next = take();
         const std::size_t base = stack.size();
-        while (met != 0) {
+        while (met != 0) {  // NOLINT(bugprone-infinite-loop): take() changes it
           auto other = take();
           if (other.key < next.key) std::swap(next, other);
           stack.insert(base, other);

@@ -119,6 +119,7 @@ struct FieldCodec {
   static constexpr void write(const Input& input, std::byte* to) noexcept {
     const auto one = [&](auto member) {
       Codec<decltype(member)>::write(input.*member, to);
+      // cppcheck-suppress uselessAssignmentPtrArg  // false positive: the next call uses it
       to += Codec<decltype(member)>::size;
     };
     (one(First), ..., one(Members));
@@ -127,6 +128,7 @@ struct FieldCodec {
     Input input{};
     const auto one = [&](auto member) {
       input.*member = Codec<decltype(member)>::read(from);
+      // cppcheck-suppress uselessAssignmentPtrArg  // false positive: the next call uses it
       from += Codec<decltype(member)>::size;
     };
     (one(First), ..., one(Members));

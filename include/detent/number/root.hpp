@@ -55,7 +55,7 @@ inline constexpr auto reciprocal_root_chords = [] {
   };
   std::array<std::uint32_t, 192> chords{};
   for (std::uint32_t i = 64; i < 256; ++i) {
-    const std::uint64_t left = value(2 * i), right = value(2 * i + 2);
+    const std::uint64_t left = value(std::uint64_t{2} * i), right = value(2 * i + 2);
     const std::uint64_t lowered = ((left + right) / 2 - value(2 * i + 1)) / 2;
     const auto rounded = [](std::uint64_t x) { return static_cast<std::uint32_t>((x + 128) >> 8); };
     const std::uint32_t first = rounded(left - lowered);

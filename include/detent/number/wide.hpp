@@ -91,6 +91,7 @@ class Wide {
       words_[1] = static_cast<std::uint64_t>(value >> 64);
       fill_from(2, value < 0);
     } else if constexpr (Words == 2 && std::is_signed_v<Int>) {
+      // cppcheck-suppress shiftTooManyBitsSigned  // defined in C++20: the sign
       words_[1] = static_cast<std::uint64_t>(static_cast<std::int64_t>(value) >> 63);
     } else {
       fill_from(1, std::is_signed_v<Int> && value < 0);

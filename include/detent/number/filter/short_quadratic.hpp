@@ -39,7 +39,7 @@ class ShortQuadratic {
   /// Whether t = 0 is on the outer side, c > 0, by more than the errors of `first_root` allow for:
   /// `yes` or `unsure`.
   [[nodiscard]] constexpr Filtered starts_outside() const noexcept {
-    return c_ >= least_ ? Filtered::yes : Filtered::unsure;
+    return c_ >= least ? Filtered::yes : Filtered::unsure;
   }
 
   /// Whether there are roots t > 0, if t = 0 is outside.
@@ -64,7 +64,7 @@ class ShortQuadratic {
   }
 
  private:
-  static constexpr auto least_ = Coefficient::assume_raw(std::int64_t{1} << 45);
+  static constexpr auto least = Coefficient::assume_raw(std::int64_t{1} << 45);
 
   Coefficient b_, c_;
   decltype(square(Coefficient()) - Coefficient() * Coefficient()) discriminant_;

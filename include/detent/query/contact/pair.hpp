@@ -106,8 +106,11 @@ template <class Box, Scalar S, int N>
   const S none(0);
   constexpr std::size_t most = std::size_t{1} << N;
   return make_contact<most>(box_is_a ? away : -away, push->depth, box_is_a ? none : radius,
+                            // cppcheck-suppress invalidLifetime  // false positive: called here
                             box_is_a ? radius : none, [&](auto& manifold) {
+                              // cppcheck-suppress legacyUninitvar  // false positive
                               const auto side = push->template side<most>(box);
+                              // cppcheck-suppress legacyUninitvar  // false positive
                               const auto end = push->template end<most>(segment);
                               const auto wide = [](const auto& feature) { return feature; };
                               const auto whole = [&](const auto& feature) {

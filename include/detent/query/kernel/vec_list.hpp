@@ -11,13 +11,13 @@ namespace detent::detail {
 
 /// What an array stores of a number: the raw integer, or a number that rounds itself.
 template <Number T>
-struct stored {
+struct Stored {
   using type = T;
   [[nodiscard]] static constexpr const T& of(const T& x) noexcept { return x; }
   [[nodiscard]] static constexpr const T& number(const T& x) noexcept { return x; }
 };
 template <int Bits, int Frac>
-struct stored<Fixed<Bits, Frac>> {
+struct Stored<Fixed<Bits, Frac>> {
   using type = typename Fixed<Bits, Frac>::raw_type;
   [[nodiscard]] static constexpr type of(const Fixed<Bits, Frac>& x) noexcept { return x.raw(); }
   [[nodiscard]] static constexpr Fixed<Bits, Frac> number(const type& raw) noexcept {
@@ -36,14 +36,14 @@ class VecList {
 
   [[nodiscard]] constexpr Vec<T, N> operator[](std::size_t k) const noexcept {
     return make_vec<N>(
-        [&](int i) { return stored<T>::number(raw_[k][static_cast<std::size_t>(i)]); });
+        [&](int i) { return Stored<T>::number(raw_[k][static_cast<std::size_t>(i)]); });
   }
   constexpr void set(std::size_t k, const Vec<T, N>& v) noexcept {
-    for (int i = 0; i < N; ++i) raw_[k][static_cast<std::size_t>(i)] = stored<T>::of(v[i]);
+    for (int i = 0; i < N; ++i) raw_[k][static_cast<std::size_t>(i)] = Stored<T>::of(v[i]);
   }
 
  private:
-  std::array<std::array<typename stored<T>::type, std::size_t{N}>, Count> raw_;
+  std::array<std::array<typename Stored<T>::type, std::size_t{N}>, Count> raw_;
 };
 
 /// The same for numbers.
@@ -55,12 +55,12 @@ class NumberList {
   }
 
   [[nodiscard]] constexpr T operator[](std::size_t k) const noexcept {
-    return stored<T>::number(raw_[k]);
+    return Stored<T>::number(raw_[k]);
   }
-  constexpr void set(std::size_t k, const T& x) noexcept { raw_[k] = stored<T>::of(x); }
+  constexpr void set(std::size_t k, const T& x) noexcept { raw_[k] = Stored<T>::of(x); }
 
  private:
-  std::array<typename stored<T>::type, Count> raw_;
+  std::array<typename Stored<T>::type, Count> raw_;
 };
 
 }  // namespace detent::detail
