@@ -8,9 +8,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "detent/math/width.hpp"
 #include "detent/number/filter/filtered.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/gjk.hpp"
+#include "detent/query/kernel/planar_search.hpp"
 #include "detent/query/kernel/rounded_point.hpp"
 #include "detent/query/kernel/simplex.hpp"
 #include "detent/query/kernel/support.hpp"
@@ -126,7 +128,7 @@ class TouchWitness {
   /// The distance of the bodies at the start, rounded down to the grid of `T`.
   template <Number T>
   [[nodiscard]] constexpr Decided<T> distance_floor() noexcept {
-    if (!find(S(0))) return {T(0), count_ > dimension && encloses_origin()};
+    if (!find_feature(S(0))) return {T(0), count_ > dimension && encloses_origin()};
     // A direction that tilts by e lets the ends of the feature reach nearer by e times its size.
     const auto distance = with_direction(simplex_at<Fixed<40, 0>>(S(0)), [&](const auto& v) {
       const auto u = shortened<44>(v);
@@ -142,7 +144,7 @@ class TouchWitness {
   /// foot of the only closest corner of `a`.
   [[nodiscard]] constexpr std::optional<Vec<S, dimension>> closest_point(const S& time) noexcept {
     std::optional<Vec<S, dimension>> result;
-    if (!find(time)) return result;
+    if (!find_feature(time)) return result;
     const bool is_found = with_closest(found(), time, [&](const auto& v, const auto& p) {
       constexpr int bits = bits_of<std::remove_cvref_t<decltype(a_.some().x)>> + 1;
       const auto foot = a_.template extreme<bits>(v, a_.some(), true);
@@ -167,14 +169,16 @@ class TouchWitness {
   [[nodiscard]] constexpr Moved moved(const Corner& corner, const S& time) const noexcept {
     return corner - way_ * time;
   }
-  [[nodiscard]] static constexpr int length_of(const Moved& v) noexcept {
+  template <Number T>
+  [[nodiscard]] static constexpr int length_of(const Vec<T, dimension>& v) noexcept {
     int length = 0;
     for (int i = 0; i < dimension; ++i) length = (std::max)(length, bit_length(v[i].raw()));
     return length;
   }
   /// In steps of 2^dropped.
-  template <class T = Rough>
-  [[nodiscard]] static constexpr Vec<T, dimension> rough(const Moved& v, int dropped) noexcept {
+  template <class T = Rough, Number V>
+  [[nodiscard]] static constexpr Vec<T, dimension> rough(const Vec<V, dimension>& v,
+                                                         int dropped) noexcept {
     return make_vec<dimension>([&](int i) {
       return T::assume_raw(
           integer_cast<typename T::raw_type>(shift_right_floor(v[i].raw(), dropped)));
@@ -305,6 +309,13 @@ class TouchWitness {
   /// direction across it: GJK (see gjk.hpp) on rounded corners. False if there seems to be none: if
   /// there are more than N corners, they seem to enclose the origin.
   [[nodiscard]] constexpr bool find(const S& time, bool until_apart = false) noexcept {
+    if constexpr (dimension == 2) {
+      if (has_few(a_) && has_few(b_)) {
+        if (!find_in_plane(time)) return false;
+        reached_ = dot(across_, least_along(across_));
+        return true;
+      }
+    }
     count_ = 0;
     const int dropped = (std::max)(
         (std::max)(length_of(moved(low_, time)), length_of(moved(high_, time))) - (Rough::bits - 1),
@@ -344,6 +355,49 @@ class TouchWitness {
       }
     }
     return false;
+  }
+
+  /// Whether `find_in_plane` can list the corners of a body.
+  template <class Body>
+  [[nodiscard]] static constexpr bool has_few(const Body& body) noexcept {
+    return body.corners().size() <= PlanarSearch::most;
+  }
+  /// `find` without `reached_` for bodies with few corners.
+  [[nodiscard]] constexpr bool find_in_plane(const S& time) noexcept {
+    const auto& list_a = a_.corners();
+    const auto& list_b = b_.corners();
+    using Place = PlanarSearch::Place;
+    PlanarSearch search;
+    const bool is_found = by_width<61>(
+        [&](const auto& from, const auto& low, const auto& high) {
+          // Differences of corners are between low and high, those within `a` at most twice as long.
+          using Component = std::remove_cvref_t<decltype(low.x)>;
+          const int dropped = (std::max)((std::max)(length_of(low), length_of(high)) - 27, 0);
+          const auto place = [&](const auto& corner, const auto& origin) {
+            return rough<Place>(make_vec<2>([&](int i) {
+                                  return narrow_difference<bits_of<Component> + 1>(corner[i],
+                                                                                   origin[i]);
+                                }),
+                                dropped);
+          };
+          for (const auto& corner : list_b) search.b.add(place(corner, from));
+          for (const auto& corner : list_a) search.a.add(place(corner, list_a[0]));
+          return search.find(narrow<29>(rough<Place>(low, dropped) + rough<Place>(high, dropped)));
+        },
+        list_a[0] + way_ * time, moved(low_, time), moved(high_, time));
+    count_ = search.count();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count_); ++k) {
+      corners_[k] = list_b[search.index_b(k)] - list_a[search.index_a(k)];
+    }
+    across_ = across(search.across());
+    return is_found;
+  }
+  /// `find` without `reached_`, which not every caller needs.
+  [[nodiscard]] constexpr bool find_feature(const S& time) noexcept {
+    if constexpr (dimension == 2) {
+      if (has_few(a_) && has_few(b_)) return find_in_plane(time);
+    }
+    return find(time);
   }
 
   /// `first` by the exact direction across the feature that was found at `time`, in more bits: the
