@@ -91,12 +91,11 @@ class PlanarSearch {
     return {in_a, in_b, narrow<29>(b[in_b] - a[in_a])};
   }
 
-  /// A vector from the origin across the edge.
+  /// A vector from the origin across the edge, on either side if the origin is on its line.
   [[nodiscard]] constexpr Across normal() const noexcept {
     const auto& from = corners_[1].place;
     const auto edge = narrow<29>(corners_[0].place - from);
     const auto height = edge.y * from.x - edge.x * from.y;
-    if (height == 0) return {};
     const auto back = narrow_negative(edge);
     return height > 0 ? Across{edge.y, back.x} : Across{back.y, edge.x};
   }

@@ -371,12 +371,14 @@ class TouchWitness {
     const bool is_found = by_width<61>(
         [&](const auto& from, const auto& low, const auto& high) {
           // Differences of corners are between low and high, those within `a` at most twice as long.
-          using Component = std::remove_cvref_t<decltype(low.x)>;
+          using Difference = std::remove_cvref_t<decltype(low.x)>;
+          constexpr int bits = bits_of<Difference> + 1;
           const int dropped = (std::max)((std::max)(length_of(low), length_of(high)) - 27, 0);
           const auto place = [&](const auto& corner, const auto& origin) {
+            // On the grid of `low`, which may be finer than that of the corners.
             return rough<Place>(make_vec<2>([&](int i) {
-                                  return narrow_difference<bits_of<Component> + 1>(corner[i],
-                                                                                   origin[i]);
+                                  return narrow_sum<bits>(
+                                      narrow_difference<bits>(corner[i], origin[i]), Difference(0));
                                 }),
                                 dropped);
           };
