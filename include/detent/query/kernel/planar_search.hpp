@@ -33,7 +33,7 @@ class PlanarSearch {
         const auto next = key(v, i);
         best = IsGreatest ? (std::max)(best, next) : (std::min)(best, next);
       }
-      return static_cast<std::size_t>(best & (most - 1));
+      return static_cast<std::size_t>(best) & (most - 1);
     }
 
    private:
