@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/kernel/rounded_point.hpp"
 
+#include <algorithm>
+
 #include "detent/query/kernel/length.hpp"
+#include "number/big_integer.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
@@ -40,6 +43,63 @@ TEST_CASE("points between two others: the filter never contradicts the exact quo
   }
   CHECK(unsure > 0);
   CHECK(unsure < asked / 4);
+}
+
+/// x |x|: the squares keep their signs.
+BigInteger signed_square(const BigInteger& x) {
+  return x < 0 ? BigInteger(-x * x) : BigInteger(x * x);
+}
+
+/// Whether x is p + radius v / |v| rounded to nearest, ties to even, and clamped: with twice the
+/// steps, x - p - 1/2 and x - p + 1/2 times |v| are on either side of radius v.
+bool is_rounded(const BigInteger& x, const BigInteger& p, const BigInteger& radius,
+                const BigInteger& v, const BigInteger& squared) {
+  const BigInteger exact = signed_square(2 * radius * v);
+  const BigInteger below = signed_square(2 * (x - p) - 1) * squared;
+  const BigInteger above = signed_square(2 * (x - p) + 1) * squared;
+  const bool is_even = x % 2 == 0;
+  const bool is_reached = is_even ? below <= exact : below < exact;
+  const bool is_next = is_even ? above < exact : above <= exact;
+  if (x == big_raw(largest<q16_16>)) return is_reached;
+  if (x == big_raw(lowest<q16_16>)) return !is_next;
+  return is_reached && !is_next;
+}
+
+TEST_CASE("points beyond others: ties, near ties and the ends of the range", "[query]") {
+  using S = q16_16;
+  using V = Fixed<32, 16>;
+  Random random(0x5b3e);
+  int clamped = 0;
+  constexpr int asked = 20000;
+  for (int i = 0; i < asked; ++i) {
+    CAPTURE(i);
+    const int bits = static_cast<int>(random.below(31));
+    const auto number = [&](int most) {
+      return S::from_raw(static_cast<std::int32_t>(
+          std::clamp<std::int64_t>(random.edgy(most), -0x7fffffff, 0x7fffffff)));
+    };
+    const auto p = make_vec<3>([&](int) { return number(31); });
+    // Short vectors with whole lengths, and those along an axis, make ties.
+    auto v = make_vec<3>([&](int) { return V(number(random.coin() ? bits : 2)); });
+    if (random.one_in(4)) v.y = v.z = V(0);
+    if (random.one_in(4)) v = Vec<V, 3>{V::from_raw(6), V::from_raw(-8), V(0)};
+    const S radius = S::from_raw(static_cast<std::int32_t>(
+        std::clamp<std::int64_t>(random.edgy(random.coin() ? 31 : 6), 1, 0x7fffffff)));
+    if (detail::is_zero(v)) continue;
+    const auto found = detail::rounded_beyond(p, radius, v);
+    const auto back = detail::rounded_beyond(p, radius, narrow_negative(v));
+    BigInteger squared = 0;
+    for (int k = 0; k < 3; ++k) squared += big_raw(v[k]) * big_raw(v[k]);
+    for (int k = 0; k < 3; ++k) {
+      CAPTURE(k);
+      clamped += found[k] == largest<S> || found[k] == lowest<S> ? 1 : 0;
+      REQUIRE(
+          is_rounded(big_raw(found[k]), big_raw(p[k]), big_raw(radius), big_raw(v[k]), squared));
+      REQUIRE(
+          is_rounded(big_raw(back[k]), big_raw(p[k]), big_raw(radius), -big_raw(v[k]), squared));
+    }
+  }
+  CHECK(clamped > asked / 100);
 }
 
 }  // namespace

@@ -43,6 +43,8 @@ TEMPLATE_TEST_CASE("thin in slabs: what it is sure of is exact", "[query]", q16_
         compare(flat, other, direction, distance, sure);
         compare(flat, ball, direction, distance, sure);
         compare(ball, flat, direction, distance, sure);
+        compare(Sphere<S, 3>{flat.min, ball.radius}, ball, direction, distance, sure);
+        compare(ball, Sphere<S, 3>{flat.min, draw.radius()}, direction, distance, sure);
       });
       INFO(bits << ": sure " << sure);
       CHECK(sure.percent() < 100);
@@ -112,6 +114,10 @@ TEST_CASE("thin in slabs: what it is sure of is exact in 2D", "[query]") {
       compare(round, box, direction, distance, sure);
       compare(flat, round, direction, distance, sure);
       compare(segment, flat, direction, distance, sure);
+      compare(Sphere<S, 2>{a, round.radius}, round, direction, distance, sure);
+      compare(Sphere<S, 2>{a, round.radius}, segment, direction, distance, sure);
+      compare(round, Sphere<S, 2>{a, number(0, reach / 2)}, direction, distance, sure);
+      compare(segment, Sphere<S, 2>{a, round.radius}, direction, distance, sure);
     }
     INFO(bits << ": sure " << sure);
     CHECK(sure.percent() < 100);

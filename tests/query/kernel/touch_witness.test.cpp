@@ -140,10 +140,11 @@ void compare_many(std::int64_t reach, std::int64_t grid, int asked, Count& count
 }
 
 TEST_CASE("witnesses: a touch or distance that they are sure of is exact", "[query]") {
-  Count local, coarse, narrow;
+  Count local, coarse, narrow, planar;
   compare_many<q16_16, 3>(1 << 18, 1, 1500, local);
   compare_many<q16_16, 3>(1 << 29, 1, 300, local);
-  compare_many<q16_16, 2>(1 << 18, 1, 500, local);
+  compare_many<q16_16, 2>(1 << 18, 1, 500, planar);
+  compare_many<q16_16, 2>(1 << 26, 1, 500, planar);
   compare_many<q24_8, 3>(1 << 22, 1, 200, local);
   compare_many<q14_16, 3>(1 << 24, 1, 200, local);
   compare_many<q16_16, 3>(1 << 24, 1, 400, local);
@@ -161,6 +162,9 @@ TEST_CASE("witnesses: a touch or distance that they are sure of is exact", "[que
   CHECK(local.same_feature.percent() >= 90);
   CHECK(local.sure_directions.percent() >= 20);
   CHECK(local.sure_across.percent() >= 90);
+  CHECK(planar.sure.percent() >= 95);
+  CHECK(planar.same_feature.percent() >= 90);
+  CHECK(planar.sure_distances.percent() >= 97);
   CHECK(coarse.sure.percent() >= 50);
   CHECK(narrow.sure.percent() >= 80);
   CHECK(local.sure_distances.percent() >= 97);

@@ -303,7 +303,25 @@ template <bool BoxMoves, class Box, Scalar S, int N, Number M>
   }
 }
 
-/// The same for shapes that are a box and a segment or capsule, in either order; unsure for others.
+/// Filter: the point of a sphere closest to a segment that moved along `direction`.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Decided<Vec<S, N>> decide_point_of_sphere(const Vec<S, N>& center,
+                                                                  const Segment<S, N>& segment,
+                                                                  const Direction<S, N>& direction,
+                                                                  const S& distance,
+                                                                  const S& radius) noexcept {
+  if (radius == 0) return {center, true};
+  // The center is a box without extent.
+  const auto to_center = center - segment.start - direction.vec() * distance;
+  const auto along = segment.end - segment.start;
+  const ThinInSlabs<S, N> closest(to_center, to_center, along, along);
+  if (closest.closest_at() == ClosestAt::unsure) return {{}, false};
+  const auto spot = make_vec<N>([&](int i) { return Fixed<62, S::frac + 30>(center[i]); });
+  return decide_toward(spot, radius, closest.excess());
+}
+
+/// The same for shapes that are a box and a segment or capsule, in either order, or a sphere and a
+/// segment or capsule; unsure for others.
 template <class A, class B, Scalar S, int N>
 [[nodiscard]] constexpr Decided<Vec<S, N>> decide_closest_point(
     const A& shape, const B& target, [[maybe_unused]] const Direction<S, N>& direction,
@@ -318,6 +336,11 @@ template <class A, class B, Scalar S, int N>
     return {{}, false};
   } else if constexpr (is_box_a && is_kind<CoreB, Segment>) {
     return decide_point_in_slabs<true>(a, b, direction, -distance, S(radius_of(target)));
+  } else if constexpr (is_kind<CoreA, Vec> && is_kind<CoreB, Segment>) {
+    return decide_point_in_slabs<true>(Aabb<S, N>{a, a}, b, direction, -distance,
+                                       S(radius_of(target)));
+  } else if constexpr (is_kind<CoreA, Segment> && is_kind<CoreB, Vec>) {
+    return decide_point_of_sphere(b, a, direction, distance, S(radius_of(target)));
   } else if constexpr (is_kind<CoreA, Segment> && is_box_b) {
     return decide_point_in_slabs<false>(b, a, direction, distance, S(radius_of(target)));
   } else {

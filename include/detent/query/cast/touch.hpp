@@ -143,14 +143,18 @@ template <bool WithNormal, Scalar S, int N>
   const auto radius = a.radius + b.radius;
   const auto between = b.center - a.center;
   const auto body_a = body_of(a.center), body_b = body_of(b.center);
+  // The result is written where it is returned, which takes one variable for all returns: copies of
+  // what was just written in parts stall.
+  std::optional<Touch<S, N>> touch;
   if (!(radius > 0)) {
     const auto distance = boxes_within(body_a, body_b, direction, S(0), limit);
-    if (!distance) return std::nullopt;
-    if (is_zero(between)) return Touch<S, N>{S(0), std::nullopt};
-    return Touch<S, N>{*distance, -direction};
+    if (!distance) return touch;
+    const bool is_at_start = is_zero(between);
+    touch.emplace();
+    touch->distance = is_at_start ? S(0) : *distance;
+    if (!is_at_start) touch->normal.emplace(-direction);
+    return touch;
   }
-  // The result is written where it is returned: copies of what was just written in parts stall.
-  std::optional<Touch<S, N>> touch;
   S distance;
   if (!find_distance_to_ball(a.center, b.center, direction, limit, radius, distance)) return touch;
   touch.emplace();

@@ -4,6 +4,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "detent/math/width.hpp"
+#include "detent/number/filter/short_vector.hpp"
 #include "detent/query/closest_points/bodies.hpp"
 #include "detent/query/closest_points/boxes.hpp"
 #include "detent/query/closest_points/plane.hpp"
@@ -41,26 +43,48 @@ template <Scalar S, int N>
   return {rounded_beyond(center, radius, to_box), on_box};
 }
 
-/// The closest points of two spheres.
+/// The closest points of two spheres. They are written where they are returned: copies of what was
+/// just written in parts stall.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_of_spheres(
     const Vec<S, N>& a, const Vec<S, N>& b, const S& radius_a, const S& radius_b) noexcept {
+  std::pair<Vec<S, N>, Vec<S, N>> points{b, b};
   const auto to_a = a - b;
-  const auto squared = squared_length(to_a);
-  if (squared <= square(radius_a)) return {b, b};
   const auto to_b = narrow_negative(to_a);
   if constexpr (!is_fixed<S>) {
-    const auto on_a = rounded_beyond(a, radius_a, to_b);
-    if (squared <= square(radius_a + radius_b)) return {on_a, on_a};
-    return {on_a, rounded_beyond(b, radius_b, to_a)};
+    const auto squared = squared_length(to_a);
+    if (squared <= square(radius_a)) return points;
+    points.first = rounded_beyond(a, radius_a, to_b);
+    points.second =
+        squared <= square(radius_a + radius_b) ? points.first : rounded_beyond(b, radius_b, to_a);
   } else {
     // A radius of 0 moves nothing.
+    const auto write_both = [&](int i, const S& x) { points.first[i] = points.second[i] = x; };
+    const auto write_second = [&](int i, const S& x) { points.second[i] = x; };
+    if constexpr (has_short_vectors<S>) {
+      if (fits<31>(to_b)) {
+        const ShortVector between(to_array(narrow<31>(to_b)));
+        if (!between.is_longer_than(radius_a)) return points;
+        const auto unit = between.unit();
+        write_rounded_beyond(a, radius_a, to_b, unit.steps(radius_a), write_both);
+        if (between.is_longer_than(radius_a + radius_b)) {
+          write_rounded_beyond(b, radius_b, to_a, unit.steps(narrow_negative(radius_b)),
+                               write_second);
+        }
+        return points;
+      }
+    }
+    const auto squared = squared_length(to_a);
+    if (squared <= square(radius_a)) return points;
     const auto shares = shares_of(to_array(to_b));
-    const auto on_a =
-        rounded_beyond(a, radius_a, to_b, step_along(radius_a, to_array(to_b), shares));
-    if (squared <= square(radius_a + radius_b)) return {on_a, on_a};
-    return {on_a, rounded_beyond(b, radius_b, to_a, step_along(radius_b, to_array(to_a), shares))};
+    write_rounded_beyond(a, radius_a, to_b, step_along(radius_a, to_array(to_b), shares),
+                         write_both);
+    if (squared > square(radius_a + radius_b)) {
+      write_rounded_beyond(b, radius_b, to_a, step_along(radius_b, to_array(to_a), shares),
+                           write_second);
+    }
   }
+  return points;
 }
 
 /// Filter: the closest points of an oriented box and a hull, those of the first shape first.

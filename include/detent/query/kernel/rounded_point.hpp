@@ -110,6 +110,9 @@ template <Number X, Number Square, Number Y, Scalar S, int N>
   return compare_with_quotient(x, square, y - p[i]);
 }
 
+/// The error of p + radius v / |v|: the step is off by less than 2^17 + 2^10, and p by 2^8.
+inline constexpr Steps<1 << 18> beyond_error{};
+
 /// Coordinate i of p + radius v / |v| before it is rounded: a sum and its error, in range.
 template <Scalar S, class Point, class Moves>
 [[nodiscard]] constexpr auto approximate_beyond(const Point& p, const Moves& moves,
@@ -121,23 +124,41 @@ template <Scalar S, class Point, class Moves>
   constexpr Sum most(largest<S>), least(lowest<S>);
   if (sum > most) sum = most;
   if (sum < least) sum = least;
-  // The step is off by less than 2^17 + 2^10, and the coordinate of p by 2^8.
-  return Approximate<Sum, Steps<1 << 18>>{sum, {}};
+  return Approximate{sum, beyond_error};
 }
 
-/// The point p, which is rational or on the grid, + moves, which are within their error of
-/// radius v / |v|.
+/// Calls write(i, x) for each coordinate x of the point p, which is rational or on the grid, + moves,
+/// which are within their error of radius v / |v|. Coordinates that the filter does not decide are
+/// written again.
+template <Scalar S, class Point, Number V, int N, class Moves, class Write>
+constexpr void write_rounded_beyond(const Point& p, const S& radius, const Vec<V, N>& v,
+                                    const Moves& moves, const Write& write) noexcept {
+  using Near = Fixed<bits_of<S> + 2, S::frac>;
+  bool is_sure = true;
+  for (int i = 0; i < N; ++i) {
+    const auto sum =
+        narrow_sum<62>(approximate_coordinate<S>(p, i), moves.value[static_cast<std::size_t>(i)]);
+    const auto nearest = decide_nearest<Near>(Approximate{sum, beyond_error});
+    const bool is_in_range = lowest<S> <= nearest.value && nearest.value <= largest<S>;
+    is_sure = is_sure & nearest.is_sure & is_in_range;  // one branch, which is predictable
+    write(i, S::assume_raw(static_cast<typename S::raw_type>(nearest.value.raw())));
+  }
+  if (is_sure) return;
+  for (int i = 0; i < N; ++i) {
+    const auto nearest = decide_nearest<S>(approximate_beyond<S>(p, moves, i));
+    write(i, or_exact(nearest, [&](const S& upper) {
+            const auto middle = midpoint_below(upper);
+            return nearest_at_midpoint(
+                upper, compare_with_quotient(radius * v[i], squared_length(v), middle, p, i));
+          }));
+  }
+}
 template <Scalar S, class Point, Number V, int N, class Moves>
 [[nodiscard]] constexpr Vec<S, N> rounded_beyond(const Point& p, const S& radius,
                                                  const Vec<V, N>& v, const Moves& moves) noexcept {
-  return make_vec<N>([&](int i) {
-    const auto nearest = decide_nearest<S>(approximate_beyond<S>(p, moves, i));
-    return or_exact(nearest, [&](const S& upper) {
-      const auto middle = midpoint_below(upper);
-      return nearest_at_midpoint(
-          upper, compare_with_quotient(radius * v[i], squared_length(v), middle, p, i));
-    });
-  });
+  Vec<S, N> result;
+  write_rounded_beyond(p, radius, v, moves, [&](int i, const S& x) { result[i] = x; });
+  return result;
 }
 
 /// The point p, which is rational or on the grid, + radius v / |v| for radius >= 0 and v not 0.

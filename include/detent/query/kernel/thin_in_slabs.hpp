@@ -153,6 +153,24 @@ class ThinInSlabs {
   BoundedRatio<Dot, Dot, 63, Steps<128>> ratio_{};
 };
 
+/// A point beyond `spot` by `radius`, as `nearly_rounded_beyond` rounds it; `toward` is an excess in
+/// the world, within 2^11 steps, or its opposite. (docs/filters.md, lemma 30)
+template <Scalar S, int N, Number V>
+[[nodiscard]] constexpr Decided<Vec<S, N>> decide_toward(Vec<Fixed<62, S::frac + 30>, N> spot,
+                                                         const S& radius,
+                                                         const Vec<V, N>& toward) noexcept {
+  // The direction is off by less than sqrt(3) 2^11 / |v|: with |v| > radius / 8, the step by 2^15.
+  const auto v = make_vec<N>([&](int i) { return floor_to<Fixed<63, S::frac + 30>>(toward[i]); });
+  bool is_long = false;
+  for (int i = 0; i < N; ++i) is_long = is_long || abs(v[i]) * Fixed<4, 0>(8) > radius;
+  if (!is_long) return {{}, false};
+  const auto moves = step_along(radius, to_array(v));
+  for (int i = 0; i < N; ++i) {
+    spot[i] = narrow_sum<62>(spot[i], moves.value[static_cast<std::size_t>(i)]);
+  }
+  return decide_point<S, N>([&](int i) { return spot[i]; }, Steps<1 << 19>());
+}
+
 /// The point of a segment closest to a box, or beyond it by `radius` toward the box, as
 /// `nearly_rounded_beyond` rounds it; `outward` is the excess in the world, within 2^11 steps.
 template <Scalar S, int N, Number V>
@@ -163,21 +181,11 @@ template <Scalar S, int N, Number V>
   const bool is_between = closest.closest_at() == ClosestAt::between;
   const auto& end = closest.closest_at() == ClosestAt::start ? segment.start : segment.end;
   if (radius == 0 && !is_between) return {end, true};
-  using Spot = Fixed<63, S::frac + 30>;
-  auto spot = is_between ? closest.on_segment(segment)
-                         : make_vec<N>([&](int i) { return Fixed<62, S::frac + 30>(end[i]); });
-  const auto at = [&](int i) { return spot[i]; };
-  if (!(radius > 0)) return decide_point<S, N>(at, Steps<1 << 12>());
-  // The direction is off by less than sqrt(3) 2^11 / |v|: with |v| > radius / 8, the step by 2^15.
-  const auto v = make_vec<N>([&](int i) { return floor_to<Spot>(outward[i]); });
-  bool is_long = false;
-  for (int i = 0; i < N; ++i) is_long = is_long || abs(v[i]) * Fixed<4, 0>(8) > radius;
-  if (!is_long) return {{}, false};
-  const auto moves = step_along(radius, to_array(narrow_negative(v)));
-  for (int i = 0; i < N; ++i) {
-    spot[i] = narrow_sum<62>(spot[i], moves.value[static_cast<std::size_t>(i)]);
-  }
-  return decide_point<S, N>(at, Steps<1 << 19>());
+  const auto spot = is_between
+                        ? closest.on_segment(segment)
+                        : make_vec<N>([&](int i) { return Fixed<62, S::frac + 30>(end[i]); });
+  if (radius > 0) return decide_toward(spot, radius, narrow_negative(outward));
+  return decide_point<S, N>([&](int i) { return spot[i]; }, Steps<1 << 12>());
 }
 
 }  // namespace detent::detail

@@ -12,6 +12,7 @@
 #include "detent/number/filter/filtered.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/gjk.hpp"
+#include "detent/query/kernel/planar_search.hpp"
 #include "detent/query/kernel/rounded_point.hpp"
 #include "detent/query/kernel/simplex.hpp"
 #include "detent/query/kernel/support.hpp"
@@ -126,7 +127,7 @@ class TouchWitness {
   /// The distance of the bodies at the start, rounded down to the grid of `T`.
   template <Number T>
   [[nodiscard]] constexpr Decided<T> distance_floor() noexcept {
-    if (!find(S(0))) return {T(0), count_ > dimension && encloses_origin()};
+    if (!find_feature(S(0))) return {T(0), count_ > dimension && encloses_origin()};
     // A direction that tilts by e lets the ends of the feature reach nearer by e times its size.
     const auto distance = with_direction(simplex_at<Fixed<40, 0>>(S(0)), [&](const auto& v) {
       const auto u = shortened<44>(v);
@@ -142,7 +143,7 @@ class TouchWitness {
   /// foot of the only closest corner of `a`.
   [[nodiscard]] constexpr std::optional<Vec<S, dimension>> closest_point(const S& time) noexcept {
     std::optional<Vec<S, dimension>> result;
-    if (!find(time)) return result;
+    if (!find_feature(time)) return result;
     const bool is_found = with_closest(found(), time, [&](const auto& v, const auto& p) {
       constexpr int bits = bits_of<std::remove_cvref_t<decltype(a_.some().x)>> + 1;
       const auto foot = a_.template extreme<bits>(v, a_.some(), true);
@@ -292,6 +293,13 @@ class TouchWitness {
   /// direction across it: GJK (see gjk.hpp) on rounded corners. False if there seems to be none: if
   /// there are more than N corners, they seem to enclose the origin.
   [[nodiscard]] constexpr bool find(const S& time, bool until_apart = false) noexcept {
+    if constexpr (dimension == 2) {
+      if (has_few(a_) && has_few(b_)) {
+        if (!find_in_plane(time)) return false;
+        reached_ = dot(across_, least_along(across_));
+        return true;
+      }
+    }
     count_ = 0;
     const int dropped =
         (std::max)((std::max)(longest_bits(moved(low_, time)), longest_bits(moved(high_, time))) -
@@ -333,6 +341,53 @@ class TouchWitness {
       }
     }
     return false;
+  }
+
+  /// Whether `find_in_plane` can list the corners of a body.
+  template <class Body>
+  [[nodiscard]] static constexpr bool has_few(const Body& body) noexcept {
+    return body.corners().size() <= PlanarSearch::most;
+  }
+  /// `find` without `reached_` for bodies with few corners.
+  [[nodiscard]] constexpr bool find_in_plane(const S& time) noexcept {
+    const auto& list_a = a_.corners();
+    const auto& list_b = b_.corners();
+    using Place = PlanarSearch::Place;
+    PlanarSearch search;
+    const bool is_found = by_width<61>(
+        [&](const auto& from, const auto& low, const auto& high) {
+          // Differences of corners are between low and high, those within `a` at most twice as long.
+          using Difference = std::remove_cvref_t<decltype(low.x)>;
+          constexpr int bits = bits_of<Difference> + 1;
+          const int dropped = (std::max)((std::max)(longest_bits(low), longest_bits(high)) - 27, 0);
+          const auto place = [&](const auto& corner, const auto& origin) {
+            // On the grid of `low`, which may be finer than that of the corners.
+            return without_low_bits<Place>(make_vec<2>([&](int i) {
+                                             return narrow_sum<bits>(
+                                                 narrow_difference<bits>(corner[i], origin[i]),
+                                                 Difference(0));
+                                           }),
+                                           dropped);
+          };
+          for (const auto& corner : list_b) search.b.add(place(corner, from));
+          for (const auto& corner : list_a) search.a.add(place(corner, list_a[0]));
+          return search.find(narrow<29>(without_low_bits<Place>(low, dropped) +
+                                        without_low_bits<Place>(high, dropped)));
+        },
+        list_a[0] + way_ * time, moved(low_, time), moved(high_, time));
+    count_ = search.count();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count_); ++k) {
+      corners_[k] = list_b[search.index_b(k)] - list_a[search.index_a(k)];
+    }
+    across_ = across(search.across());
+    return is_found;
+  }
+  /// `find` without `reached_`, which not every caller needs.
+  [[nodiscard]] constexpr bool find_feature(const S& time) noexcept {
+    if constexpr (dimension == 2) {
+      if (has_few(a_) && has_few(b_)) return find_in_plane(time);
+    }
+    return find(time);
   }
 
   /// `first` by the exact direction across the feature that was found at `time`, in more bits: the
