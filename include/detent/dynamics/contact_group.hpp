@@ -202,15 +202,15 @@ class GroupSolver : FourPairs<L, S> {
     return true;
   }
 
-  template <Pass pass>
+  template <Pass P>
   [[nodiscard]] bool solve(const Speed& fastest) noexcept {
     std::array<Side<Impulse>, Group::capacity> pressures;
-    const Motions path_a = pass == Pass::relaxed ? bodies_a_.paths() : Motions();
-    const Motions path_b = pass == Pass::relaxed ? bodies_b_.paths() : Motions();
+    const Motions path_a = P == Pass::relaxed ? bodies_a_.paths() : Motions();
+    const Motions path_b = P == Pass::relaxed ? bodies_b_.paths() : Motions();
     for (std::size_t i = 0; i < group_.count; ++i) {
       const Lever& lever = group_.pressure[i];
       Side<Speed> gap;
-      if constexpr (pass == Pass::relaxed) {
+      if constexpr (P == Pass::relaxed) {
         gap = round_.template checked<Speed>(Side<Speed>(group_.gap[i]) +
                                              rate(group_.normal, lever, path_a, path_b));
         gap.store(group_.gap_now[i]);
@@ -219,17 +219,17 @@ class GroupSolver : FourPairs<L, S> {
       }
       const Side<Impulse> before(group_.pressures[i]);
       const auto v = rate(group_.normal, lever, a_, b_);
-      pressures[i] = pushed<pass>(Side<Ratio>(lever.mass), v, gap, before, fastest);
+      pressures[i] = pushed<P>(Side<Ratio>(lever.mass), v, gap, before, fastest);
       apply(group_.normal, lever, narrow<31>(pressures[i] - before));
     }
     std::array<Side<Impulse>, 3> frictions;
-    if constexpr (pass == Pass::relaxed) rub(pressures, frictions);
+    if constexpr (P == Pass::relaxed) rub(pressures, frictions);
     if (!store()) return false;
     for (std::size_t i = 0; i < group_.count; ++i) {
       pressures[i].store(group_.pressures[i]);
       (Side<Impulse>(group_.pressed[i]) | pressures[i]).store(group_.pressed[i]);
     }
-    if constexpr (pass == Pass::relaxed) {
+    if constexpr (P == Pass::relaxed) {
       for (std::size_t t = 0; t < 3; ++t) frictions[t].store(group_.frictions[t]);
     }
     return true;
@@ -265,7 +265,7 @@ class GroupSolver : FourPairs<L, S> {
   }
 
   /// The pressure of a point after one more solve, as in `solve_pressure`.
-  template <Pass pass>
+  template <Pass P>
   [[nodiscard]] Side<Impulse> pushed(const Side<Ratio>& mass, const Side<Speed>& v,
                                      const Side<Speed>& gap, const Side<Impulse>& before,
                                      const Speed& fastest) noexcept {
@@ -273,7 +273,7 @@ class GroupSolver : FourPairs<L, S> {
     const auto is_apart = above(gap, zero);
     const auto to_gap = narrow<31>(v + select(is_apart, gap, zero));
     Side<Impulse> sum;
-    if constexpr (pass == Pass::biased) {
+    if constexpr (P == Pass::biased) {
       const Side<Ratio> rigid(group_.rigid), pull(group_.pull), loss(group_.loss);
       const Side<Fixed<62, Ratio::frac + Speed::frac>> limit(
           L(-(LongWord{fastest.raw()} << Ratio::frac)));

@@ -34,7 +34,7 @@ enum class Pass : std::uint8_t { biased, relaxed };
 /// uses those of the previous pass, at first those at the start of the tick.
 ///
 /// m t <= 2^60 and loss * total <= 2^57 steps: their difference fits 62 bits.
-template <Pass pass, Scalar S, int N>
+template <Pass P, Scalar S, int N>
 constexpr void solve_pressure(ReadyContact<S, N>& ready, BodyContact<S, N>& contact,
                               Moving<S, N>& a, Moving<S, N>& b,
                               const typename Formats<S>::Speed& fastest) noexcept {
@@ -47,7 +47,7 @@ constexpr void solve_pressure(ReadyContact<S, N>& ready, BodyContact<S, N>& cont
     auto& total = contact.pressure[i];
     const auto rate =
         rate_along<S, N>(ready.normal.along, row, a.velocity, a.spin, b.velocity, b.spin);
-    if constexpr (pass == Pass::relaxed) {
+    if constexpr (P == Pass::relaxed) {
       ready.gap_now[i] =
           rate_along<S, N>(ready.normal.along, row, a.shift, a.turn, b.shift, b.turn, ready.gap[i]);
     }
@@ -55,7 +55,7 @@ constexpr void solve_pressure(ReadyContact<S, N>& ready, BodyContact<S, N>& cont
     Impulse change;
     if (gap > 0) {
       change = nearest_to<Impulse>(narrow_negative(narrow<62>(row.mass * (rate + gap))));
-    } else if constexpr (pass == Pass::biased) {
+    } else if constexpr (P == Pass::biased) {
       auto pull = soft.pull * gap;
       const auto limit = decltype(pull)(narrow_negative(fastest));
       if (pull < limit) pull = limit;

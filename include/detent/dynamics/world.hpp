@@ -66,8 +66,8 @@ class BasicWorld {
       : settings_(settings), pace_(detail::pace_of(settings)) {}
 
   constexpr BasicWorld(const BasicWorld&) = default;
-  constexpr BasicWorld(BasicWorld&&) = default;
-  constexpr BasicWorld& operator=(BasicWorld&&) = default;
+  constexpr BasicWorld(BasicWorld&&) noexcept = default;
+  constexpr BasicWorld& operator=(BasicWorld&&) noexcept = default;
   /// Takes time proportional to the contents: the unused capacity of a bounded world is not copied.
   constexpr BasicWorld& operator=(const BasicWorld& other) {
     settings_ = other.settings_;

@@ -91,7 +91,7 @@ class FourJointsSolver : FourPairs<L, S> {
     return store();
   }
 
-  template <Pass pass>
+  template <Pass P>
   [[nodiscard]] bool solve() noexcept {
     std::array<Side<Turn>, Turns> turns;
     std::array<Side<Impulse>, 3> pushes;
@@ -99,14 +99,14 @@ class FourJointsSolver : FourPairs<L, S> {
       const auto& row = joints_.turn[k];
       if (row.law == Law::none) continue;
       const Side<Turn> before(row.total);
-      turns[k] = next<pass, Spin>(row.law, Side<Ratio>(Ratio(1)), turning_rate(row),
-                                  Side<Spin>(row.gap), before);
+      turns[k] = next<P, Spin>(row.law, Side<Ratio>(Ratio(1)), turning_rate(row),
+                               Side<Spin>(row.gap), before);
       apply(row, round_.template checked<Turn>(turns[k] - before));
     }
     for (std::size_t i = 0; i < 3; ++i) {
       const Side<Impulse> before(joints_.total[i]);
-      pushes[i] = next<pass, Speed>(Law::equal, Side<Ratio>(joints_.mass[i]), rate(i),
-                                    Side<Speed>(joints_.gap[i]), before);
+      pushes[i] = next<P, Speed>(Law::equal, Side<Ratio>(joints_.mass[i]), rate(i),
+                                 Side<Speed>(joints_.gap[i]), before);
       apply(i, round_.template checked<Impulse>(pushes[i] - before));
     }
     if (!store()) return false;
@@ -149,12 +149,12 @@ class FourJointsSolver : FourPairs<L, S> {
   }
 
   /// `next_total` of the laws `equal` and `limit`.
-  template <Pass pass, class Rate, class Total>
+  template <Pass P, class Rate, class Total>
   [[nodiscard]] Side<Total> next(Law law, const Side<Ratio>& mass, const Side<Rate>& rate,
                                  const Side<Rate>& gap, const Side<Total>& before) noexcept {
     const Side<Rate> zero;
     auto excess = mass * rate;
-    if constexpr (pass == Pass::biased) {
+    if constexpr (P == Pass::biased) {
       const auto& soft = joint_softness<S>;
       const auto wanted = round_.template nearest<Rate>(Side<Ratio>(soft.rigid) * rate +
                                                         Side<Ratio>(soft.pull) * gap);

@@ -123,32 +123,32 @@ class JointGroup {
         });
   }
 
-  template <Pass pass, class Movings, class Supports>
+  template <Pass P, class Movings, class Supports>
   constexpr void solve_all(List& joints, Movings& moving, const Supports& supports) {
     visit(
-        joints, moving, supports, [](auto& solver) { return solver.template solve<pass>(); },
+        joints, moving, supports, [](auto& solver) { return solver.template solve<P>(); },
         [&](Ready& ready) {
           Record& record = joints[ready.joint];
           auto &a = moving[ready.a], &b = moving[ready.b];
           for (std::size_t k = 0; k < record.turn.size(); ++k) {
             if (ready.turn[k].terms.law == Law::none) continue;
-            solve<pass>(ready.turn[k], record.turn[k], a, b);
+            solve<P>(ready.turn[k], record.turn[k], a, b);
           }
           if constexpr (has_points) {
             if (ready.is_point) {
               for_each_axis([&]<int I>(std::integral_constant<int, I>) {
                 constexpr auto k = std::size_t{I};
-                solve_along_axis<pass, I, S>(ready.push[k], record.push[k], a, b);
+                solve_along_axis<P, I, S>(ready.push[k], record.push[k], a, b);
               });
             }
           }
           if (!has_points || !ready.is_point) {
             for (std::size_t k = 0; k < record.push.size(); ++k) {
               if (ready.push[k].terms.law == Law::none) continue;
-              solve<pass>(ready.push[k], record.push[k], a, b);
+              solve<P>(ready.push[k], record.push[k], a, b);
             }
           }
-          if (pass == Pass::relaxed && ready.breaks && is_overloaded(ready, record)) {
+          if (P == Pass::relaxed && ready.breaks && is_overloaded(ready, record)) {
             ready.is_broken = true;
           }
         });

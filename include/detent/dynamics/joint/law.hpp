@@ -53,7 +53,7 @@ template <Scalar S>
 /// The impulse of a row after one more solve, and the impulse before it, `total`.
 ///
 /// rigid rate + pull gap <= 2^61 fits 62 bits, as does m t + loss total <= 2^60 + 2^61.
-template <Pass pass, Scalar S, class Rate, class Total>
+template <Pass P, Scalar S, class Rate, class Total>
 [[nodiscard]] constexpr Total next_total(const Terms<S, Rate, Total>& terms,
                                          const typename Formats<S>::Ratio& mass, const Rate& rate,
                                          const Rate& gap, const Total& total) noexcept {
@@ -65,7 +65,7 @@ template <Pass pass, Scalar S, class Rate, class Total>
     change = stopping(rate - terms.target);
   } else if (terms.law == Law::limit && gap > 0) {
     change = stopping(rate + gap);
-  } else if (pass == Pass::biased || terms.law == Law::spring) {
+  } else if (P == Pass::biased || terms.law == Law::spring) {
     const auto& soft = terms.soft;
     const auto wanted =
         nearest_to<Rate>(narrow<62>(narrow<62>(soft.rigid * rate) + narrow<62>(soft.pull * gap)));

@@ -93,32 +93,32 @@ constexpr auto share_out(TurnRow<S, N>& row, const Spread<typename F::Gyration, 
 }
 
 /// One more solve of a row, whose impulse so far is `total`.
-template <Pass pass, Scalar S, int N>
+template <Pass P, Scalar S, int N>
 constexpr void solve(const PushRow<S, N>& push, typename Formats<S>::Impulse& total,
                      Moving<S, N>& a, Moving<S, N>& b) noexcept {
   using Impulse = typename Formats<S>::Impulse;
   const auto rate =
       rate_along<S, N>(push.thrust.along, push.row, a.velocity, a.spin, b.velocity, b.spin);
   const auto before = total;
-  total = next_total<pass>(push.terms, push.row.mass, rate, push.gap, total);
+  total = next_total<P>(push.terms, push.row.mass, rate, push.gap, total);
   apply(push.thrust, push.row, saturate_to<Impulse>(total - before), a, b);
 }
 /// The same for a push along axis I of the world.
-template <Pass pass, int I, Scalar S>
+template <Pass P, int I, Scalar S>
 constexpr void solve_along_axis(const PushRow<S, 3>& push, typename Formats<S>::Impulse& total,
                                 Moving<S, 3>& a, Moving<S, 3>& b) noexcept {
   using Impulse = typename Formats<S>::Impulse;
   const auto rate = rate_along_axis<I, S>(push.row, a, b);
   const auto before = total;
-  total = next_total<pass>(push.terms, push.row.mass, rate, push.gap, total);
+  total = next_total<P>(push.terms, push.row.mass, rate, push.gap, total);
   apply_along_axis<I, S>(push.thrust, push.row, saturate_to<Impulse>(total - before), a, b);
 }
-template <Pass pass, Scalar S, int N>
+template <Pass P, Scalar S, int N>
 constexpr void solve(const TurnRow<S, N>& turn, typename Formats<S>::Turn& total, Moving<S, N>& a,
                      Moving<S, N>& b) noexcept {
   const auto rate = turning_rate<S, N>(turn.axis, a.spin, b.spin);
   const auto before = total;
-  total = next_total<pass>(turn.terms, typename Formats<S>::Ratio(1), rate, turn.gap, total);
+  total = next_total<P>(turn.terms, typename Formats<S>::Ratio(1), rate, turn.gap, total);
   apply(turn, saturate_to<typename Formats<S>::Turn>(total - before), a, b);
 }
 

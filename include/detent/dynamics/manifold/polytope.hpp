@@ -164,8 +164,8 @@ template <Scalar S, int N>
       for (const bool at_j : {false, true}) {
         for (const bool at_k : {false, true}) {
           const auto corner = on_side(j, at_j) | on_side(k, at_k);
-          const auto face_j = static_cast<std::size_t>(2 * j + (at_j ? 1 : 0));
-          const auto face_k = static_cast<std::size_t>(2 * k + (at_k ? 1 : 0));
+          const auto face_j = 2 * static_cast<std::size_t>(j) + std::size_t{at_j};
+          const auto face_k = 2 * static_cast<std::size_t>(k) + std::size_t{at_k};
           const bool j_is_left = at_j == at_k;
           parts.add_edge(corner | on_side(i, true), corner, axis(i, false),
                          j_is_left ? face_j : face_k, j_is_left ? face_k : face_j);
