@@ -2,6 +2,8 @@
 #include "detent/query/kernel/rounded_point.hpp"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 
 #include "detent/query/kernel/length.hpp"
 #include "number/big_integer.hpp"
@@ -100,6 +102,40 @@ TEST_CASE("points beyond others: ties, near ties and the ends of the range", "[q
     }
   }
   CHECK(clamped > asked / 100);
+}
+
+TEST_CASE("points beyond others: ties of rational points are rounded to even", "[query]") {
+  using S = q16_16;
+  using V = Fixed<32, 16>;
+  using Over = Fixed<33, 16>;
+  using Under = Fixed<2, 0>;
+  struct Whole {
+    std::array<int, 3> v;
+    int length;
+  };
+  // Vectors with whole lengths.
+  constexpr Whole wholes[] = {{{3, 4, 0}, 5},    {{1, -2, 2}, 3}, {{-2, 3, 6}, 7},
+                              {{12, 0, -5}, 13}, {{8, 4, 1}, 9},  {{6, -2, 9}, 11}};
+  Random random(0x5b3f);
+  for (int i = 0; i < 4000; ++i) {
+    CAPTURE(i);
+    const auto& whole = wholes[random.below(std::size(wholes))];
+    const auto scale = std::int64_t{1} << random.below(27);
+    const auto times = random.between(1, std::int64_t{1} << random.below(27));
+    const auto v = make_vec<3>(
+        [&](int k) { return V::from_raw(scale * whole.v[static_cast<std::size_t>(k)]); });
+    const auto radius = S::from_raw(static_cast<std::int32_t>(times * whole.length));
+    const detail::RationalPoint<Over, Under, 3> p{
+        make_vec<3>([&](int) { return Over::from_raw(2 * random.between(-1 << 29, 1 << 29) + 1); }),
+        Under(2)};
+    const auto found = detail::rounded_beyond(p, radius, v);
+    for (int k = 0; k < 3; ++k) {
+      CAPTURE(k);
+      const auto twice = p.over[k].raw() + 2 * times * whole.v[static_cast<std::size_t>(k)];
+      const auto below = (twice - 1) / 2;  // the exact coordinate is below + 1/2
+      REQUIRE(found[k].raw() == below + (below & 1));
+    }
+  }
 }
 
 }  // namespace
