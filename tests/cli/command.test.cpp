@@ -319,8 +319,8 @@ TEST_CASE(
   REQUIRE(result.code == 0);
   CHECK(content_of(shop.path("pictures/bodies.png")).starts_with("\x89PNG"));
   for (const char* const row :
-       {"\nnear  q16_16         23      240       8       0  0.0000  0xedefdca51bb76193\n",
-        "\nfar   q16_16         23      240       8       0  0.0000  0x3753e927187205c9\n"}) {
+       {"\nnear  q16_16         23      240       3       0  0.0000  0x62012bee6027f692\n",
+        "\nfar   q16_16         23      240       3       0  0.0000  0x1f9950be3fa466f0\n"}) {
     CHECK(result.out.find(row) != std::string::npos);
   }
   const auto far_row = result.out.find("\nfar   float          23      240 ");
