@@ -56,7 +56,7 @@ const Assets& assets() {
 WorldSettings<S, 3> settings(bool holds) {
   WorldSettings<S, 3> settings;
   settings.sleep_speed = quarters(1);
-  if (holds) settings.hold_distance = quarters(1);
+  settings.hold_distance = quarters(holds ? 1 : 0);
   return settings;
 }
 

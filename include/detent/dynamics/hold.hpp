@@ -5,10 +5,10 @@
 
 // Held bodies (`WorldSettings::hold_distance`). A body is held at a pose while it moves and turns
 // little: its contacts have the normals, points and levers of that pose, and their separations
-// follow from the motion since then. A stack whose contacts followed each small lean would push itself
-// over once it is high enough, since contacts are springs: at 4 substeps 16 cubes are too many, in
-// double too (a column of stiffness k per contact and spacing 1 buckles under its own weight at the
-// height (7.84 k / 4 w)^(1/3): A. G. Greenhill, 1881).
+// follow from the motion since then. A stack whose contacts followed each small lean would push
+// itself over once it is high enough, since contacts are springs: at 4 substeps 16 cubes are too
+// many, in double too (a column of stiffness k per contact and spacing 1 buckles under its own
+// weight at the height (7.84 k / 4 w)^(1/3): A. G. Greenhill, 1881).
 
 namespace detent::detail {
 

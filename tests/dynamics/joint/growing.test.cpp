@@ -43,7 +43,7 @@ WorldSettings<S, 3> settings_of(Random& random) {
   settings.substeps = static_cast<int>(random.between(1, 3));
   if (random.coin()) settings.gravity = {};
   if (random.coin()) settings.sleep_speed = S(0);
-  if (random.one_in(4)) settings.hold_distance = num<S>(0.25);
+  if (random.one_in(4)) settings.hold_distance = num<S>(random.coin() ? 0.25 : 0);
   return settings;
 }
 
