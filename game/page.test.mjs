@@ -175,7 +175,7 @@ async function playAll() {
     for (const socket of [...watchers, again, sockets[1]]) socket.close();
   });
 
-  const alone = await open(`auto&seed=${seed}&speed=10&latency=100&loss=15`);
+  const alone = await open(`auto&seed=${seed}&speed=10&latency=100&loss=15&redraw=60000`);
   await check('two machines in a page play 3,000 frames as every other machine does', async () => {
     assert.deepEqual(await untilPlayed(alone, 3000), golden);
     assert.equal(await alone.textContent('#verdict'), 'equal');
@@ -206,7 +206,7 @@ async function playAll() {
   await alone.close();
 
   await check('a bit that is flipped is named, by frame, object and field, within 60 frames', async () => {
-    const page = await open('auto&seed=7&speed=2'), heard = [];
+    const page = await open('auto&seed=7&speed=2&redraw=60000'), heard = [];
     await page.exposeFunction('hear', (text) => heard.push(text));
     await page.evaluate(() => new MutationObserver(() => window.hear(document.querySelector('[role=status]#status').textContent))
       .observe(document.getElementById('status'), { childList: true }));
@@ -226,7 +226,7 @@ async function playAll() {
   });
 
   await check('two pages and the relay play 3,000 frames', async () => {
-    const query = `room=test&auto&seed=${seed}&speed=8&loss=15&latency=60`;
+    const query = `room=test&auto&seed=${seed}&speed=8&loss=15&latency=60&redraw=60000`;
     const pages = [await open(query), await open(query)];
     const said = await Promise.all(pages.map((page) => untilPlayed(page, 3000)));
     assert.deepEqual(said, [golden, golden]);
@@ -404,7 +404,7 @@ async function playAll() {
   });
 
   await check('it works offline', async () => {
-    const page = await open('auto&seed=5&speed=2');
+    const page = await open('auto&seed=5&speed=2&redraw=60000');
     await page.evaluate(() => navigator.serviceWorker.ready);
     relay.kill();
     await browser.setOffline(true);
