@@ -21,6 +21,8 @@ def files(description, note):
             continue  # written by hand in context.cpp and assets.cpp
         if parts[1] == 'scene' and (parts[3] or '').startswith('cast'):
             parts = {1: 'mover', 2: parts[2], 3: parts[3]}  # compiled with the casts of characters
+        if parts[3] == 'follow':
+            parts = {1: 'world', 2: parts[2], 3: parts[3]}  # compiled with worlds
         if (parts[3] or '').startswith('frustum_'):
             parts = {1: 'frustum', 2: parts[2], 3: parts[3].replace('frustum', parts[1])}
         for prefix, header, room in GROUPS:

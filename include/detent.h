@@ -174,6 +174,17 @@ typedef struct detent_touch {
   uint32_t part_b;
 } detent_touch;
 
+/** The properties of a body. */
+typedef struct detent_body_info {
+  uint64_t user;
+  uint32_t layers;
+  uint32_t collides_with;
+  uint32_t motion;     /**< DETENT_DYNAMIC_BODY, DETENT_KINEMATIC_BODY or DETENT_FIXED_BODY */
+  uint32_t is_sensor;
+  uint32_t is_asleep;
+  uint32_t part_count; /**< the number of parts of a compound; 0 for other bodies */
+} detent_body_info;
+
 /** An object found by a query, and its distance in steps of 2^-16. */
 typedef struct detent_found {
   int32_t distance;
@@ -1240,6 +1251,20 @@ DETENT_API detent_status detent_world2_remove(detent_context* context, detent_ha
 /** Simulates one tick: all its substeps. */
 DETENT_API detent_status detent_world2_step(detent_context* context, detent_handle world);
 
+/** Makes a scene hold the shapes of the bodies of a world, with their ids, layers and user words, and
+ *  nothing else, so that rays, casts, regions and characters find bodies. Call it after each step, or
+ *  whenever queries are due. A compound has an object for each part: see `detent_world2_part_of`.
+ *  A hull has the handle of its solid hull. Sensors are left out unless `sensors` is 1. DETENT_FULL
+ *  if parts of compounds have no room; they are left out. */
+DETENT_API detent_status detent_scene2_follow(detent_context* context, detent_handle scene,
+                                                detent_handle world, uint32_t sensors);
+
+/** The body, and the index of its part (0 for other bodies than compounds), of an object of a scene
+ *  that follows the world. Both may be null. DETENT_NO if it belongs to no body. */
+DETENT_API detent_status detent_world2_part_of(const detent_context* context,
+                                                 detent_handle world, detent_id object,
+                                                 detent_id* body, uint32_t* part);
+
 /** The state of a body. DETENT_NO if no body has this id. */
 DETENT_API detent_status detent_world2_body(const detent_context* context, detent_handle world,
                                               detent_id id, detent_body2* body);
@@ -1254,6 +1279,22 @@ DETENT_API detent_status detent_world2_bodies(const detent_context* context, det
  *  body has this id. */
 DETENT_API detent_status detent_world2_frame(const detent_context* context, detent_handle world,
                                                detent_id id, detent_transform2* frame);
+
+/** The properties of a body. DETENT_NO if no body has this id. */
+DETENT_API detent_status detent_world2_info(const detent_context* context, detent_handle world,
+                                              detent_id id, detent_body_info* info);
+
+/** Puts the center of a body elsewhere at once, whatever is between, and wakes it and the bodies that
+ *  it touched or is joined to. It keeps its joints, velocity and orientation. Snapshots taken before
+ *  a fixed body was moved cannot be restored afterwards. DETENT_NO if no body has this id. */
+DETENT_API detent_status detent_world2_set_position(detent_context* context, detent_handle world,
+                                                      detent_id id, const detent_vec2* position);
+
+/** Turns a body about its center at once, otherwise like `detent_world2_set_position`. Height
+ *  fields stay upright. */
+DETENT_API detent_status detent_world2_set_rotation(detent_context* context, detent_handle world,
+                                                      detent_id id,
+                                                      const detent_rotation2* rotation);
 
 /** Sets the velocity of a body, in units per second, and wakes it. Does nothing to fixed bodies. */
 DETENT_API detent_status detent_world2_set_velocity(detent_context* context, detent_handle world,
@@ -1310,6 +1351,12 @@ DETENT_API detent_status detent_world2_joint(const detent_context* context, dete
 DETENT_API detent_status detent_world2_joint_count(const detent_context* context,
                                                      detent_handle world, uint32_t* count);
 
+/** The ids of all joints, by index. Writes the first `room` of them, and their total number to
+ *  `count`. */
+DETENT_API detent_status detent_world2_joint_ids(const detent_context* context,
+                                                   detent_handle world, detent_id* joints,
+                                                   uint32_t room, uint32_t* count);
+
 /** The joints that broke in the last step, by index. They have been removed. Writes the first
  *  `room` of them, and their total number to `count`. */
 DETENT_API detent_status detent_world2_broken(const detent_context* context, detent_handle world,
@@ -1333,8 +1380,23 @@ DETENT_API detent_status detent_world2_local_frame(const detent_context* context
 DETENT_API detent_status detent_world2_size(const detent_context* context, detent_handle world,
                                               uint32_t* size);
 
-/** The pairs that began or ceased to touch in the last step, sorted by id. Writes the first `room`
- *  of them, and their total number to `count`. */
+/** The ids of all bodies, by index. Writes the first `room` of them, and their total number to
+ *  `count`. */
+DETENT_API detent_status detent_world2_body_ids(const detent_context* context,
+                                                  detent_handle world, detent_id* ids,
+                                                  uint32_t room, uint32_t* count);
+
+/** The pairs that touch: those that began to in some step and have not ceased, sorted by id; of one
+ *  body, or of all if `body` is {0, 0}. Their `begins` is 1. Writes the first `room` of them, and
+ *  their total number to `count`. */
+DETENT_API detent_status detent_world2_touching(const detent_context* context,
+                                                  detent_handle world, detent_id body,
+                                                  detent_touch* touches, uint32_t room,
+                                                  uint32_t* count);
+
+/** The pairs that began or ceased to touch in the last step, sorted by id. A pair of a sensor and a
+ *  fast body that passed it within the step has both events. Writes the first `room` of them, and
+ *  their total number to `count`. */
 DETENT_API detent_status detent_world2_events(const detent_context* context, detent_handle world,
                                                 detent_touch* events, uint32_t room,
                                                 uint32_t* count);
@@ -1872,6 +1934,20 @@ DETENT_API detent_status detent_world3_remove(detent_context* context, detent_ha
 /** Simulates one tick: all its substeps. */
 DETENT_API detent_status detent_world3_step(detent_context* context, detent_handle world);
 
+/** Makes a scene hold the shapes of the bodies of a world, with their ids, layers and user words, and
+ *  nothing else, so that rays, casts, regions and characters find bodies. Call it after each step, or
+ *  whenever queries are due. A compound has an object for each part: see `detent_world3_part_of`.
+ *  A hull has the handle of its solid hull. Sensors are left out unless `sensors` is 1. DETENT_FULL
+ *  if parts of compounds have no room; they are left out. */
+DETENT_API detent_status detent_scene3_follow(detent_context* context, detent_handle scene,
+                                                detent_handle world, uint32_t sensors);
+
+/** The body, and the index of its part (0 for other bodies than compounds), of an object of a scene
+ *  that follows the world. Both may be null. DETENT_NO if it belongs to no body. */
+DETENT_API detent_status detent_world3_part_of(const detent_context* context,
+                                                 detent_handle world, detent_id object,
+                                                 detent_id* body, uint32_t* part);
+
 /** The state of a body. DETENT_NO if no body has this id. */
 DETENT_API detent_status detent_world3_body(const detent_context* context, detent_handle world,
                                               detent_id id, detent_body3* body);
@@ -1886,6 +1962,22 @@ DETENT_API detent_status detent_world3_bodies(const detent_context* context, det
  *  body has this id. */
 DETENT_API detent_status detent_world3_frame(const detent_context* context, detent_handle world,
                                                detent_id id, detent_transform3* frame);
+
+/** The properties of a body. DETENT_NO if no body has this id. */
+DETENT_API detent_status detent_world3_info(const detent_context* context, detent_handle world,
+                                              detent_id id, detent_body_info* info);
+
+/** Puts the center of a body elsewhere at once, whatever is between, and wakes it and the bodies that
+ *  it touched or is joined to. It keeps its joints, velocity and orientation. Snapshots taken before
+ *  a fixed body was moved cannot be restored afterwards. DETENT_NO if no body has this id. */
+DETENT_API detent_status detent_world3_set_position(detent_context* context, detent_handle world,
+                                                      detent_id id, const detent_vec3* position);
+
+/** Turns a body about its center at once, otherwise like `detent_world3_set_position`. Height
+ *  fields stay upright. */
+DETENT_API detent_status detent_world3_set_rotation(detent_context* context, detent_handle world,
+                                                      detent_id id,
+                                                      const detent_rotation3* rotation);
 
 /** Sets the velocity of a body, in units per second, and wakes it. Does nothing to fixed bodies. */
 DETENT_API detent_status detent_world3_set_velocity(detent_context* context, detent_handle world,
@@ -1942,6 +2034,12 @@ DETENT_API detent_status detent_world3_joint(const detent_context* context, dete
 DETENT_API detent_status detent_world3_joint_count(const detent_context* context,
                                                      detent_handle world, uint32_t* count);
 
+/** The ids of all joints, by index. Writes the first `room` of them, and their total number to
+ *  `count`. */
+DETENT_API detent_status detent_world3_joint_ids(const detent_context* context,
+                                                   detent_handle world, detent_id* joints,
+                                                   uint32_t room, uint32_t* count);
+
 /** The joints that broke in the last step, by index. They have been removed. Writes the first
  *  `room` of them, and their total number to `count`. */
 DETENT_API detent_status detent_world3_broken(const detent_context* context, detent_handle world,
@@ -1965,8 +2063,23 @@ DETENT_API detent_status detent_world3_local_frame(const detent_context* context
 DETENT_API detent_status detent_world3_size(const detent_context* context, detent_handle world,
                                               uint32_t* size);
 
-/** The pairs that began or ceased to touch in the last step, sorted by id. Writes the first `room`
- *  of them, and their total number to `count`. */
+/** The ids of all bodies, by index. Writes the first `room` of them, and their total number to
+ *  `count`. */
+DETENT_API detent_status detent_world3_body_ids(const detent_context* context,
+                                                  detent_handle world, detent_id* ids,
+                                                  uint32_t room, uint32_t* count);
+
+/** The pairs that touch: those that began to in some step and have not ceased, sorted by id; of one
+ *  body, or of all if `body` is {0, 0}. Their `begins` is 1. Writes the first `room` of them, and
+ *  their total number to `count`. */
+DETENT_API detent_status detent_world3_touching(const detent_context* context,
+                                                  detent_handle world, detent_id body,
+                                                  detent_touch* touches, uint32_t room,
+                                                  uint32_t* count);
+
+/** The pairs that began or ceased to touch in the last step, sorted by id. A pair of a sensor and a
+ *  fast body that passed it within the step has both events. Writes the first `room` of them, and
+ *  their total number to `count`. */
 DETENT_API detent_status detent_world3_events(const detent_context* context, detent_handle world,
                                                 detent_touch* events, uint32_t room,
                                                 uint32_t* count);
@@ -2201,6 +2314,7 @@ DETENT_API detent_status detent_scene3_frustum_all(const detent_context* context
 typedef char detent_id_has_its_size[sizeof(detent_id) == 8 ? 1 : -1];
 typedef char detent_pair_has_its_size[sizeof(detent_pair) == 16 ? 1 : -1];
 typedef char detent_touch_has_its_size[sizeof(detent_touch) == 28 ? 1 : -1];
+typedef char detent_body_info_has_its_size[sizeof(detent_body_info) == 32 ? 1 : -1];
 typedef char detent_found_has_its_size[sizeof(detent_found) == 12 ? 1 : -1];
 typedef char detent_impact_has_its_size[sizeof(detent_impact) == 12 ? 1 : -1];
 typedef char detent_session_settings_has_its_size[sizeof(detent_session_settings) == 72 ? 1 : -1];

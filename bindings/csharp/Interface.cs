@@ -30,6 +30,18 @@ public struct Touch {
   public uint part_b;
 }
 
+/// <summary>The properties of a body.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct BodyInfo {
+  public ulong user;
+  public uint layers;
+  public uint collides_with;
+  public uint motion;
+  public uint is_sensor;
+  public uint is_asleep;
+  public uint part_count;
+}
+
 /// <summary>An object found by a query, and its distance in steps of 2^-16.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Found {
@@ -1056,6 +1068,12 @@ public static unsafe class C {
   public static extern int detent_world2_step(ContextMemory* context, uint world);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_scene2_follow(ContextMemory* context, uint scene, uint world, uint sensors);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_part_of(ContextMemory* context, uint world, Id @object, Id* body, uint* part);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_body(ContextMemory* context, uint world, Id id, Body2* body);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1063,6 +1081,15 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_frame(ContextMemory* context, uint world, Id id, Transform2* frame);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_info(ContextMemory* context, uint world, Id id, BodyInfo* info);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_set_position(ContextMemory* context, uint world, Id id, Vec2* position);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_set_rotation(ContextMemory* context, uint world, Id id, Rotation2* rotation);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_set_velocity(ContextMemory* context, uint world, Id id, Vec2* velocity);
@@ -1098,6 +1125,9 @@ public static unsafe class C {
   public static extern int detent_world2_joint_count(ContextMemory* context, uint world, uint* count);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_joint_ids(ContextMemory* context, uint world, Id* joints, uint room, uint* count);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_broken(ContextMemory* context, uint world, Id* joints, uint room, uint* count);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1108,6 +1138,12 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_size(ContextMemory* context, uint world, uint* size);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_body_ids(ContextMemory* context, uint world, Id* ids, uint room, uint* count);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_touching(ContextMemory* context, uint world, Id body, Touch* touches, uint room, uint* count);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_events(ContextMemory* context, uint world, Touch* events, uint room, uint* count);
@@ -1401,6 +1437,12 @@ public static unsafe class C {
   public static extern int detent_world3_step(ContextMemory* context, uint world);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_scene3_follow(ContextMemory* context, uint scene, uint world, uint sensors);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_part_of(ContextMemory* context, uint world, Id @object, Id* body, uint* part);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_body(ContextMemory* context, uint world, Id id, Body3* body);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1408,6 +1450,15 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_frame(ContextMemory* context, uint world, Id id, Transform3* frame);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_info(ContextMemory* context, uint world, Id id, BodyInfo* info);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_set_position(ContextMemory* context, uint world, Id id, Vec3* position);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_set_rotation(ContextMemory* context, uint world, Id id, Rotation3* rotation);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_set_velocity(ContextMemory* context, uint world, Id id, Vec3* velocity);
@@ -1443,6 +1494,9 @@ public static unsafe class C {
   public static extern int detent_world3_joint_count(ContextMemory* context, uint world, uint* count);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_joint_ids(ContextMemory* context, uint world, Id* joints, uint room, uint* count);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_broken(ContextMemory* context, uint world, Id* joints, uint room, uint* count);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1453,6 +1507,12 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_size(ContextMemory* context, uint world, uint* size);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_body_ids(ContextMemory* context, uint world, Id* ids, uint room, uint* count);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_touching(ContextMemory* context, uint world, Id body, Touch* touches, uint room, uint* count);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_events(ContextMemory* context, uint world, Touch* events, uint room, uint* count);
@@ -1588,6 +1648,7 @@ public static unsafe class C {
     if (sizeof(Id) != 8) throw new TypeLoadException("detent_id");
     if (sizeof(Pair) != 16) throw new TypeLoadException("detent_pair");
     if (sizeof(Touch) != 28) throw new TypeLoadException("detent_touch");
+    if (sizeof(BodyInfo) != 32) throw new TypeLoadException("detent_body_info");
     if (sizeof(Found) != 12) throw new TypeLoadException("detent_found");
     if (sizeof(Impact) != 12) throw new TypeLoadException("detent_impact");
     if (sizeof(SessionSettings) != 72) throw new TypeLoadException("detent_session_settings");

@@ -89,6 +89,9 @@ public sealed unsafe class Scene2 {
   public bool Move(Id id, Vec2 by) {
     return Number.Check(C.detent_scene2_move(context.Memory, Handle, id, &by));
   }
+  public void Follow(World2 world, bool sensors = false) {
+    Number.Check(C.detent_scene2_follow(context.Memory, Handle, world.Handle, sensors ? 1u : 0u));
+  }
   public bool Raycast(Ray2 ray, uint layers, out ObjectHit2 hit) {
     fixed (ObjectHit2* to = &hit) {
       return Number.Check(C.detent_scene2_raycast(context.Memory, Handle, &ray, layers, to));
@@ -181,6 +184,12 @@ public unsafe class World2 {
   public void Step() { Number.Check(C.detent_world2_step(context.Memory, Handle)); }
   public bool Get(Id id, out Body2 body) {
     fixed (Body2* to = &body) return Number.Check(C.detent_world2_body(context.Memory, Handle, id, to));
+  }
+  public bool SetPosition(Id id, Vec2 position) {
+    return Number.Check(C.detent_world2_set_position(context.Memory, Handle, id, &position));
+  }
+  public bool SetRotation(Id id, Rotation2 rotation) {
+    return Number.Check(C.detent_world2_set_rotation(context.Memory, Handle, id, &rotation));
   }
   public bool SetVelocity(Id id, Vec2 velocity) {
     return Number.Check(C.detent_world2_set_velocity(context.Memory, Handle, id, &velocity));
@@ -456,6 +465,9 @@ public sealed unsafe class Scene3 {
   public bool Move(Id id, Vec3 by) {
     return Number.Check(C.detent_scene3_move(context.Memory, Handle, id, &by));
   }
+  public void Follow(World3 world, bool sensors = false) {
+    Number.Check(C.detent_scene3_follow(context.Memory, Handle, world.Handle, sensors ? 1u : 0u));
+  }
   public bool Raycast(Ray3 ray, uint layers, out ObjectHit3 hit) {
     fixed (ObjectHit3* to = &hit) {
       return Number.Check(C.detent_scene3_raycast(context.Memory, Handle, &ray, layers, to));
@@ -548,6 +560,12 @@ public unsafe class World3 {
   public void Step() { Number.Check(C.detent_world3_step(context.Memory, Handle)); }
   public bool Get(Id id, out Body3 body) {
     fixed (Body3* to = &body) return Number.Check(C.detent_world3_body(context.Memory, Handle, id, to));
+  }
+  public bool SetPosition(Id id, Vec3 position) {
+    return Number.Check(C.detent_world3_set_position(context.Memory, Handle, id, &position));
+  }
+  public bool SetRotation(Id id, Rotation3 rotation) {
+    return Number.Check(C.detent_world3_set_rotation(context.Memory, Handle, id, &rotation));
   }
   public bool SetVelocity(Id id, Vec3 velocity) {
     return Number.Check(C.detent_world3_set_velocity(context.Memory, Handle, id, &velocity));

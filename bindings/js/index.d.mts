@@ -164,6 +164,9 @@ export declare class Scene<D extends Of> extends Held {
   move(id: Id, by: D['vec']): boolean;
   object(id: Id): { shape: D['shape']; traits: types.Traits } | null;
   optimize(): void;
+  /** Holds the shapes of the world's bodies, with their ids, and nothing else: call it after each step,
+   *  or whenever queries are due. */
+  follow(world: World<D>, options?: { sensors?: boolean }): void;
   raycast(ray: D['ray'], layers?: number): D['objectHit'] | null;
   raycastAny(ray: D['ray'], layers?: number): boolean;
   raycastAll(ray: D['ray'], layers?: number): D['objectHit'][];
@@ -207,6 +210,13 @@ export declare class World<D extends Of> extends Held {
   add(shape: Shape<D>, options?: Partial<D['options']>): Id;
   step(): void;
   body(id: Id): D['body'] | null;
+  bodyIds(): Id[];
+  info(id: Id): types.BodyInfo | null;
+  /** The body of an object of a scene that follows this world, and the part of a compound. */
+  partOf(object: Id): { body: Id; part: number } | null;
+  /** Puts a body elsewhere, or turns it, at once. It keeps its joints. */
+  setPosition(id: Id, position: D['vec']): boolean;
+  setRotation(id: Id, axis: D['vec'][]): boolean;
   setVelocity(id: Id, velocity: D['vec']): boolean;
   setAngularVelocity(id: Id, velocity: number[]): boolean;
   applyImpulse(id: Id, impulse: D['vec'], at?: D['vec']): boolean;
@@ -217,10 +227,13 @@ export declare class World<D extends Of> extends Held {
   changeJoint(id: Id, joint: D['joint']): boolean;
   removeJoint(id: Id): boolean;
   joint(id: Id): D['joint'] | null;
+  jointIds(): Id[];
   broken(): Id[];
   localPoint(id: Id, point: D['vec']): D['vec'] | null;
   localFrame(id: Id, axis: D['vec'][]): D['vec'][] | null;
   frame(id: Id): D['transform'] | null;
+  /** The pairs that touch, of one body or of all. */
+  touching(id?: Id): types.Touch[];
   events(): types.Touch[];
 }
 

@@ -683,6 +683,11 @@ class Scene extends Held {
   optimize() {
     this.run('optimize');
   }
+  /** Holds the shapes of the world's bodies, with their ids, and nothing else: call it after each step,
+   *  or whenever queries are due. */
+  follow(world, { sensors = false } = {}) {
+    this.run('follow', world.handle, sensors ? 1 : 0);
+  }
   /** The first object that the ray touches, or null. */
   raycast(ray, layers = ALL_LAYERS) {
     return this.call((memory) => {
@@ -847,6 +852,35 @@ class World extends Held {
       return this.run('body', memory.put('detent_id', id), body) ? memory.read(body, this.types.body) : null;
     });
   }
+  /** The ids of all bodies. */
+  bodyIds() {
+    return this.list('body_ids', 'detent_id');
+  }
+  /** The properties of a body, or null. */
+  info(id) {
+    return this.call((memory) => {
+      const info = memory.place(layouts.detent_body_info.size);
+      return this.run('info', memory.put('detent_id', id), info) ? memory.read(info, 'detent_body_info') : null;
+    });
+  }
+  /** The body and part of an object of a scene that follows this world, or null. */
+  partOf(id) {
+    return this.call((memory) => {
+      const body = memory.place(8), part = memory.place(4);
+      return this.run('part_of', memory.put('detent_id', id), body, part)
+        ? { body: memory.read(body, 'detent_id'), part: memory.read(part, 'uint32_t') } : null;
+    });
+  }
+  /** Puts a body elsewhere at once; it keeps its joints. False if no body has this id. */
+  setPosition(id, position) {
+    return this.call((memory) =>
+      this.run('set_position', memory.put('detent_id', id), memory.put(this.types.vec, position)));
+  }
+  /** Turns a body about its center at once; it keeps its joints. */
+  setRotation(id, axis) {
+    return this.call((memory) =>
+      this.run('set_rotation', memory.put('detent_id', id), memory.put(this.types.rotation, { axis })));
+  }
   setVelocity(id, velocity) {
     return this.call((memory) =>
       this.run('set_velocity', memory.put('detent_id', id), memory.put(this.types.vec, velocity)));
@@ -912,6 +946,10 @@ class World extends Held {
       return this.run('joint', memory.put('detent_id', id), at) ? memory.read(at, this.types.joint) : null;
     });
   }
+  /** The ids of all joints. */
+  jointIds() {
+    return this.list('joint_ids', 'detent_id');
+  }
   /** The joints that broke in the last step. */
   broken() {
     return this.list('broken', 'detent_id');
@@ -941,6 +979,17 @@ class World extends Held {
       const done = this.run('frame', memory.put('detent_id', id), frame);
       return done ? memory.read(frame, this.types.transform) : null;
     });
+  }
+  /** The pairs that touch, of one body or of all. */
+  touching(id = { index: 0, generation: 0 }) {
+    const { memory } = this.context.detent;
+    const at = memory.allocate(8);
+    try {
+      memory.write(at, 'detent_id', id);
+      return this.list('touching', 'detent_touch', at);
+    } finally {
+      memory.exports.free(at);
+    }
   }
   /** The pairs that began or ceased to touch in the last step. */
   events() {

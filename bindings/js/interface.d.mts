@@ -106,6 +106,17 @@ export interface Touch {
   part_b: number;
 }
 
+/** The properties of a body. */
+export interface BodyInfo {
+  user: bigint;
+  layers: number;
+  collides_with: number;
+  motion: number;
+  is_sensor: number;
+  is_asleep: number;
+  part_count: number;
+}
+
 /** An object found by a query, and its distance in steps of 2^-16. */
 export interface Found {
   distance: number;

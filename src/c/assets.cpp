@@ -258,6 +258,9 @@ detent_status detent_asset_destroy(detent_context* context, detent_handle asset)
   if (table == nullptr) return DETENT_BAD_CONTEXT;
   const auto destroy = [&]<class Asset>(const Asset* found) -> detent_status {
     if (table->is_used(found)) return DETENT_IN_USE;
+    if constexpr (requires { found->asset(); }) {  // of a scene that follows a world
+      if (table->is_used(&found->asset())) return DETENT_IN_USE;
+    }
     table->destroy(*table->find(asset_kind<Asset>, asset));
     return DETENT_OK;
   };

@@ -83,8 +83,12 @@ struct Assets {
     }
     return false;
   }
+  /// 0 for an asset of another list.
   [[nodiscard]] detent_handle handle_of(const Asset* asset) const noexcept {
-    return asset == nullptr ? 0 : handles[asset - list];
+    for (std::uint32_t i = 0; i < end; ++i) {
+      if (&list[i] == asset) return handles[i];
+    }
+    return 0;
   }
 };
 

@@ -400,6 +400,12 @@ struct Scenes {
     if constexpr (requires { shape.asset; }) {
       using Asset = std::remove_cvref_t<decltype(*shape.asset)>;
       out.asset = table.assets<Asset>().handle_of(shape.asset);
+      if constexpr (std::is_same_v<Asset, HullAsset<S, N>>) {
+        const auto& solids = table.assets<SolidHull<S, N>>();  // of bodies that the scene follows
+        for (std::uint32_t i = 0; i < solids.end && out.asset == 0; ++i) {
+          if (&solids.list[i].asset() == shape.asset) out.asset = solids.handles[i];
+        }
+      }
       if constexpr (requires { shape.transform; }) {
         out.kind = asset_kind<Asset> == Kind::mesh ? DETENT_MESH : DETENT_HULL;
         out.as.placed = Output<N>::transform(shape.transform);

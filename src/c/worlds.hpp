@@ -163,6 +163,32 @@ struct Worlds {
     });
   }
 
+  static detent_status follow(detent_context* context, detent_handle scene, detent_handle world,
+                              std::uint32_t sensors) {
+    using Scene = typename SceneOf<N>::type;
+    const auto put = [&](const Context& table, Scene& object) -> detent_status {
+      const Slot* const slot = table.find(kind, world);
+      if (slot == nullptr) return DETENT_BAD_HANDLE;
+      if (slot->is_broken) return DETENT_BROKEN;
+      if (sensors > 1) return DETENT_BAD_ARGUMENT;
+      const auto& from = *static_cast<const World*>(slot->object);
+      const bool had_room = detent::follow(
+          object, from, [&](const BodyInfo& body) { return sensors == 1 || !body.is_sensor; });
+      return had_room ? DETENT_OK : DETENT_FULL;
+    };
+    return with_object<Scene>(context, SceneOf<N>::kind, scene, put);
+  }
+  static detent_status part_of(const detent_context* context, detent_handle world, detent_id object,
+                               detent_id* body, std::uint32_t* part) {
+    return read(context, world, [&](const World& from) -> detent_status {
+      const auto found = detent::part_of(from, id_of(object));
+      if (!found) return DETENT_NO;
+      if (body != nullptr) *body = id_of(found->body);
+      if (part != nullptr) *part = found->part;
+      return DETENT_OK;
+    });
+  }
+
   static detent_status body(const detent_context* context, detent_handle world, detent_id id,
                             typename T::Body* body) {
     return read_body(context, world, id, body != nullptr,
@@ -183,6 +209,36 @@ struct Worlds {
                              typename T::Transform* frame) {
     return read_body(context, world, id, frame != nullptr, [&](const World& object) {
       *frame = Output<N>::transform(object.frame(id_of(id)));
+    });
+  }
+  static detent_status info(const detent_context* context, detent_handle world, detent_id id,
+                            detent_body_info* info) {
+    return read_body(context, world, id, info != nullptr, [&](const World& object) {
+      const auto own = *object.info(id_of(id));
+      const auto& body = detail::WorldAccess::bodies(object)[id.index];
+      *info = {own.user,
+               own.layers,
+               own.collides_with,
+               static_cast<std::uint32_t>(own.motion),
+               own.is_sensor ? 1u : 0u,
+               own.is_asleep ? 1u : 0u,
+               static_cast<std::uint32_t>(detail::part_count(body))};
+    });
+  }
+  static detent_status set_position(detent_context* context, detent_handle world, detent_id id,
+                                    const typename T::Vec* position) {
+    return change_body(context, world, id, position != nullptr, [&](World& object) {
+      object.set_position(id_of(id), Input<N>::vec(*position));
+    });
+  }
+  static detent_status set_rotation(detent_context* context, detent_handle world, detent_id id,
+                                    const typename T::Rotation* rotation) {
+    return change(context, world, [&](World& object) -> detent_status {
+      if (rotation == nullptr) return DETENT_BAD_ARGUMENT;
+      Input<N> in;
+      const auto axes = in.rotation(*rotation);
+      if (!in.is_valid()) return DETENT_NOT_UNIT;
+      return yes_or_no(object.set_rotation(id_of(id), axes));
     });
   }
   static detent_status set_velocity(detent_context* context, detent_handle world, detent_id id,
@@ -274,16 +330,18 @@ struct Worlds {
     return write_from<World>(context, kind, world, count,
                              [](const World& object) { return object.joint_count(); });
   }
+  static detent_status joint_ids(const detent_context* context, detent_handle world,
+                                 detent_id* joints, std::uint32_t room, std::uint32_t* count) {
+    return list(context, world, joints, room, count, [](const World& object, const auto& put) {
+      object.for_each_joint([&](const JointId& id) { put({id.index, id.generation}); });
+    });
+  }
   static detent_status broken(const detent_context* context, detent_handle world, detent_id* joints,
                               std::uint32_t room, std::uint32_t* count) {
-    return read(context, world, [&](const World& object) -> detent_status {
-      if (count == nullptr || (joints == nullptr && room != 0)) return DETENT_BAD_ARGUMENT;
-      *count = static_cast<std::uint32_t>(object.broken_count());
-      for (std::uint32_t i = 0; i < room && i < *count; ++i) {
-        const auto id = object.broken(i);
-        joints[i] = {id.index, id.generation};
+    return list(context, world, joints, room, count, [](const World& object, const auto& put) {
+      for (std::size_t i = 0; i < object.broken_count(); ++i) {
+        put({object.broken(i).index, object.broken(i).generation});
       }
-      return DETENT_OK;
     });
   }
   static detent_status local_point(const detent_context* context, detent_handle world, detent_id id,
@@ -311,17 +369,25 @@ struct Worlds {
     return write_from<World>(context, kind, world, size,
                              [](const World& object) { return object.size(); });
   }
+  static detent_status body_ids(const detent_context* context, detent_handle world, detent_id* ids,
+                                std::uint32_t room, std::uint32_t* count) {
+    return list(context, world, ids, room, count, [](const World& object, const auto& put) {
+      object.for_each([&](const BodyInfo& body) { put(id_of(body.id)); });
+    });
+  }
+  static detent_status touching(const detent_context* context, detent_handle world, detent_id body,
+                                detent_touch* touches, std::uint32_t room, std::uint32_t* count) {
+    const auto only = id_of(body);
+    return list(context, world, touches, room, count, [&](const World& object, const auto& put) {
+      object.for_each_touch([&](const TouchEvent& touch) {
+        if (only == BodyId{} || touch.a == only || touch.b == only) put(touch_of(touch));
+      });
+    });
+  }
   static detent_status events(const detent_context* context, detent_handle world,
                               detent_touch* events, std::uint32_t room, std::uint32_t* count) {
-    return read(context, world, [&](const World& object) -> detent_status {
-      if (count == nullptr || (events == nullptr && room != 0)) return DETENT_BAD_ARGUMENT;
-      *count = static_cast<std::uint32_t>(object.event_count());
-      for (std::uint32_t i = 0; i < room && i < *count; ++i) {
-        const auto& event = object.event(i);
-        events[i] = {id_of(event.a), id_of(event.b), event.begins ? 1u : 0u, event.part_a,
-                     event.part_b};
-      }
-      return DETENT_OK;
+    return list(context, world, events, room, count, [](const World& object, const auto& put) {
+      for (std::size_t i = 0; i < object.event_count(); ++i) put(touch_of(object.event(i)));
     });
   }
   static detent_status digest(const detent_context* context, detent_handle world,
@@ -382,6 +448,24 @@ struct Worlds {
   static detent_status read(const detent_context* context, detent_handle world, const F& f) {
     return read_object<World>(context, kind, world,
                               [&](const Context&, const World& object) { return f(object); });
+  }
+
+  /// Writes the elements of a list to the caller's memory: all(world, put) calls put with each.
+  template <class T, class All>
+  static detent_status list(const detent_context* context, detent_handle world, T* out,
+                            std::uint32_t room, std::uint32_t* count, const All& all) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (count == nullptr || (out == nullptr && room != 0)) return DETENT_BAD_ARGUMENT;
+      *count = 0;
+      all(object, [&](const T& element) {
+        if (*count < room) out[*count] = element;
+        ++*count;
+      });
+      return DETENT_OK;
+    });
+  }
+  static detent_touch touch_of(const TouchEvent& touch) noexcept {
+    return {id_of(touch.a), id_of(touch.b), touch.begins ? 1u : 0u, touch.part_a, touch.part_b};
   }
 
   /// f(world) if there is such a body and the arguments are valid.

@@ -47,6 +47,7 @@ struct Calls;
     DETENT_TEST_CALL(scene, N, _destroy)              \
     DETENT_TEST_CALL(scene, N, _diff)                 \
     DETENT_TEST_CALL(scene, N, _digest)               \
+    DETENT_TEST_CALL(scene, N, _follow)               \
     DETENT_TEST_CALL(scene, N, _frame)                \
     DETENT_TEST_CALL(scene, N, _move)                 \
     DETENT_TEST_CALL(scene, N, _move_frame)           \
@@ -96,6 +97,7 @@ struct Calls;
     DETENT_TEST_CALL(world, N, _apply_torque)         \
     DETENT_TEST_CALL(world, N, _bodies)               \
     DETENT_TEST_CALL(world, N, _body)                 \
+    DETENT_TEST_CALL(world, N, _body_ids)             \
     DETENT_TEST_CALL(world, N, _broken)               \
     DETENT_TEST_CALL(world, N, _change_joint)         \
     DETENT_TEST_CALL(world, N, _create)               \
@@ -105,18 +107,24 @@ struct Calls;
     DETENT_TEST_CALL(world, N, _digest_of)            \
     DETENT_TEST_CALL(world, N, _events)               \
     DETENT_TEST_CALL(world, N, _frame)                \
+    DETENT_TEST_CALL(world, N, _info)                 \
     DETENT_TEST_CALL(world, N, _joint)                \
     DETENT_TEST_CALL(world, N, _joint_count)          \
+    DETENT_TEST_CALL(world, N, _joint_ids)            \
     DETENT_TEST_CALL(world, N, _local_frame)          \
     DETENT_TEST_CALL(world, N, _local_point)          \
+    DETENT_TEST_CALL(world, N, _part_of)              \
     DETENT_TEST_CALL(world, N, _remove)               \
     DETENT_TEST_CALL(world, N, _remove_joint)         \
     DETENT_TEST_CALL(world, N, _restore)              \
     DETENT_TEST_CALL(world, N, _set_angular_velocity) \
+    DETENT_TEST_CALL(world, N, _set_position)         \
+    DETENT_TEST_CALL(world, N, _set_rotation)         \
     DETENT_TEST_CALL(world, N, _set_velocity)         \
     DETENT_TEST_CALL(world, N, _size)                 \
     DETENT_TEST_CALL(world, N, _snapshot)             \
     DETENT_TEST_CALL(world, N, _step)                 \
+    DETENT_TEST_CALL(world, N, _touching)             \
   };
 DETENT_TEST_CALLS(2)
 DETENT_TEST_CALLS(3)

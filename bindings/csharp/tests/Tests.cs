@@ -55,6 +55,19 @@ static class Tests {
     }
   }
 
+  static void Following() {
+    using (var context = new Context()) {
+      var scene = new Scene2(context);
+      var world = new World2(context);
+      var ball = world.Add(D2.Sphere(At(0, 9 * One), One));
+      Expect(world.SetPosition(ball, At(0, 5 * One)), "set position");
+      scene.Follow(world);
+      ObjectHit2 hit;
+      var up = D2.Ray(At(0, 0), new Direction2 { y = Number.Unit });
+      Expect(scene.Raycast(up, ~0u, out hit) && hit.id.Equals(ball) && hit.distance == 4 * One, "follow");
+    }
+  }
+
   // A million calls: allocating 16 bytes in each would trigger several collections.
   static void NoGarbage() {
     using (var context = new Context()) {
@@ -81,6 +94,7 @@ static class Tests {
     Expect(played == expected, "the match ends with " + played + " instead of " + expected);
     Queries();
     Scenes();
+    Following();
     NoGarbage();
     Console.WriteLine(failed == 0 ? "all tests passed" : failed + " failed");
     return failed == 0 ? 0 : 1;

@@ -74,6 +74,40 @@ test('assets', async () => {
   assert.throws(() => mesh.destroy(), { status: status.IN_USE });
 });
 
+test('scenes that follow worlds', async () => {
+  const library = await detent.load(3, file(3));
+  const { space } = library, context = library.open();
+  const world = context.world({ gravity: [0, 0, 0] }), scene = context.scene();
+  const gate = world.add(space.obb([0, 0, 0], [3 * ONE, ONE / 64, 3 * ONE]), { motion: detent.FIXED, is_sensor: 1 });
+  const ball = world.add(space.sphere([0, 4 * ONE, 0], ONE / 16),
+    { is_fast: 1, velocity: [0, -500 * ONE, 0], user: 7n });
+  const parts = [0, 5].map((x) => ({ shape: space.sphere([x * ONE, 0, 0], ONE) }));
+  const pair = world.add(space.placed(context.compound(1, parts), [20 * ONE, 0, 0]));
+  const down = space.ray([0, 9 * ONE, 0], [0, -UNIT, 0], 20 * ONE);
+  scene.follow(world);
+  assert.deepEqual([scene.raycast(down).id, scene.size], [ball, 3]);
+  scene.follow(world, { sensors: true });
+  assert.deepEqual(scene.raycastAll(down)[1].id, gate);
+  const part = scene.raycast(space.ray([30 * ONE, 0, 0], [-UNIT, 0, 0], 20 * ONE));
+  assert.deepEqual(world.partOf(part.id), { body: pair, part: 1 });
+  assert.equal(world.partOf({ index: 99, generation: 1 }), null);
+  world.step(); // the ball passes the gate
+  assert.deepEqual(world.events().map((event) => [event.a, event.b, event.begins]), [[gate, ball, 1], [gate, ball, 0]]);
+  assert.deepEqual(world.bodyIds(), [gate, ball, pair]);
+  assert.deepEqual([world.info(ball).user, world.info(pair).part_count, world.info(gate).is_sensor], [7n, 2, 1]);
+  assert.equal(world.info({ index: 99, generation: 1 }), null);
+  const joint = world.addJoint(detent.joints.distance, ball, pair, { upper: 99 * ONE });
+  assert.equal(world.setVelocity(ball, [0, 0, 0]), true);
+  assert.equal(world.setPosition(ball, [0, 0, 0]), true);
+  assert.equal(world.setRotation(pair, [[0, UNIT, 0], [-UNIT, 0, 0], [0, 0, UNIT]]), true);
+  assert.deepEqual([world.body(ball).position, world.jointIds()], [[0, 0, 0], [joint]]);
+  assert.deepEqual(world.frame(pair).rotation.axis[0], [0, UNIT, 0]);
+  world.step();
+  assert.deepEqual(world.touching().map((touch) => [touch.a, touch.b]), [[gate, ball]]);
+  assert.deepEqual([world.touching(ball).length, world.touching(pair).length], [1, 0]);
+  context.close();
+});
+
 test('worlds in 2D', async () => {
   const library = await detent.load(2, file(2));
   const { space } = library, world = library.open().world({ gravity: [0, -20 * ONE] });

@@ -174,6 +174,11 @@ function special.options(self)
   return options
 end
 
+-- A scene holds the shapes of the bodies of a world, and nothing else.
+function special.follow(self, world, sensors)
+  return self:call('follow', world.handle, sensors and 1 or 0)
+end
+
 -- The names of the first fields in which two scenes or worlds differ.
 function special.diff(self, other, most)
   local size = count()

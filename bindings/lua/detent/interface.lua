@@ -116,6 +116,15 @@ typedef struct detent_touch {
   uint32_t part_a;
   uint32_t part_b;
 } detent_touch;
+typedef struct detent_body_info {
+  uint64_t user;
+  uint32_t layers;
+  uint32_t collides_with;
+  uint32_t motion;
+  uint32_t is_sensor;
+  uint32_t is_asleep;
+  uint32_t part_count;
+} detent_body_info;
 typedef struct detent_found {
   int32_t distance;
   detent_id id;
@@ -790,6 +799,11 @@ detent_status detent_world2_add_as(detent_context* context, detent_handle world,
 detent_status detent_world2_remove(detent_context* context, detent_handle world,
                                                 detent_id id);
 detent_status detent_world2_step(detent_context* context, detent_handle world);
+detent_status detent_scene2_follow(detent_context* context, detent_handle scene,
+                                                detent_handle world, uint32_t sensors);
+detent_status detent_world2_part_of(const detent_context* context,
+                                                 detent_handle world, detent_id object,
+                                                 detent_id* body, uint32_t* part);
 detent_status detent_world2_body(const detent_context* context, detent_handle world,
                                               detent_id id, detent_body2* body);
 detent_status detent_world2_bodies(const detent_context* context, detent_handle world,
@@ -797,6 +811,13 @@ detent_status detent_world2_bodies(const detent_context* context, detent_handle 
                                                 detent_body2* bodies);
 detent_status detent_world2_frame(const detent_context* context, detent_handle world,
                                                detent_id id, detent_transform2* frame);
+detent_status detent_world2_info(const detent_context* context, detent_handle world,
+                                              detent_id id, detent_body_info* info);
+detent_status detent_world2_set_position(detent_context* context, detent_handle world,
+                                                      detent_id id, const detent_vec2* position);
+detent_status detent_world2_set_rotation(detent_context* context, detent_handle world,
+                                                      detent_id id,
+                                                      const detent_rotation2* rotation);
 detent_status detent_world2_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec2* velocity);
 detent_status detent_world2_set_angular_velocity(detent_context* context,
@@ -821,6 +842,9 @@ detent_status detent_world2_joint(const detent_context* context, detent_handle w
                                                detent_id id, detent_joint2* joint);
 detent_status detent_world2_joint_count(const detent_context* context,
                                                      detent_handle world, uint32_t* count);
+detent_status detent_world2_joint_ids(const detent_context* context,
+                                                   detent_handle world, detent_id* joints,
+                                                   uint32_t room, uint32_t* count);
 detent_status detent_world2_broken(const detent_context* context, detent_handle world,
                                                 detent_id* joints, uint32_t room, uint32_t* count);
 detent_status detent_world2_local_point(const detent_context* context,
@@ -833,6 +857,13 @@ detent_status detent_world2_local_frame(const detent_context* context,
                                                      detent_rotation2* local);
 detent_status detent_world2_size(const detent_context* context, detent_handle world,
                                               uint32_t* size);
+detent_status detent_world2_body_ids(const detent_context* context,
+                                                  detent_handle world, detent_id* ids,
+                                                  uint32_t room, uint32_t* count);
+detent_status detent_world2_touching(const detent_context* context,
+                                                  detent_handle world, detent_id body,
+                                                  detent_touch* touches, uint32_t room,
+                                                  uint32_t* count);
 detent_status detent_world2_events(const detent_context* context, detent_handle world,
                                                 detent_touch* events, uint32_t room,
                                                 uint32_t* count);
@@ -1098,6 +1129,11 @@ detent_status detent_world3_add_as(detent_context* context, detent_handle world,
 detent_status detent_world3_remove(detent_context* context, detent_handle world,
                                                 detent_id id);
 detent_status detent_world3_step(detent_context* context, detent_handle world);
+detent_status detent_scene3_follow(detent_context* context, detent_handle scene,
+                                                detent_handle world, uint32_t sensors);
+detent_status detent_world3_part_of(const detent_context* context,
+                                                 detent_handle world, detent_id object,
+                                                 detent_id* body, uint32_t* part);
 detent_status detent_world3_body(const detent_context* context, detent_handle world,
                                               detent_id id, detent_body3* body);
 detent_status detent_world3_bodies(const detent_context* context, detent_handle world,
@@ -1105,6 +1141,13 @@ detent_status detent_world3_bodies(const detent_context* context, detent_handle 
                                                 detent_body3* bodies);
 detent_status detent_world3_frame(const detent_context* context, detent_handle world,
                                                detent_id id, detent_transform3* frame);
+detent_status detent_world3_info(const detent_context* context, detent_handle world,
+                                              detent_id id, detent_body_info* info);
+detent_status detent_world3_set_position(detent_context* context, detent_handle world,
+                                                      detent_id id, const detent_vec3* position);
+detent_status detent_world3_set_rotation(detent_context* context, detent_handle world,
+                                                      detent_id id,
+                                                      const detent_rotation3* rotation);
 detent_status detent_world3_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec3* velocity);
 detent_status detent_world3_set_angular_velocity(detent_context* context,
@@ -1129,6 +1172,9 @@ detent_status detent_world3_joint(const detent_context* context, detent_handle w
                                                detent_id id, detent_joint3* joint);
 detent_status detent_world3_joint_count(const detent_context* context,
                                                      detent_handle world, uint32_t* count);
+detent_status detent_world3_joint_ids(const detent_context* context,
+                                                   detent_handle world, detent_id* joints,
+                                                   uint32_t room, uint32_t* count);
 detent_status detent_world3_broken(const detent_context* context, detent_handle world,
                                                 detent_id* joints, uint32_t room, uint32_t* count);
 detent_status detent_world3_local_point(const detent_context* context,
@@ -1141,6 +1187,13 @@ detent_status detent_world3_local_frame(const detent_context* context,
                                                      detent_rotation3* local);
 detent_status detent_world3_size(const detent_context* context, detent_handle world,
                                               uint32_t* size);
+detent_status detent_world3_body_ids(const detent_context* context,
+                                                  detent_handle world, detent_id* ids,
+                                                  uint32_t room, uint32_t* count);
+detent_status detent_world3_touching(const detent_context* context,
+                                                  detent_handle world, detent_id body,
+                                                  detent_touch* touches, uint32_t room,
+                                                  uint32_t* count);
 detent_status detent_world3_events(const detent_context* context, detent_handle world,
                                                 detent_touch* events, uint32_t room,
                                                 uint32_t* count);
@@ -1256,6 +1309,7 @@ local sizes = {
   detent_id = 8,
   detent_pair = 16,
   detent_touch = 28,
+  detent_body_info = 32,
   detent_found = 12,
   detent_impact = 12,
   detent_session_settings = 72,

@@ -40,6 +40,16 @@ function tests.scenes()
   context:close()
 end
 
+function tests.scenes_that_follow_worlds()
+  local context = detent.open()
+  local scene, world = context:scene2(), context:world2()
+  local ball = world:add(d2.sphere({ 0, 5 * ONE }, ONE))
+  assert(scene:follow(world) and scene:size() == 1)
+  assert(scene:raycast(d2.ray({ 0, 0 }, { 0, UNIT })).id.index == ball.index)
+  assert(world:set_position(ball, d2.vec(0, 9 * ONE)) and world:body(ball).position.y == 9 * ONE)
+  context:close()
+end
+
 function tests.worlds()
   local context = detent.open()
   local world = context:world2()

@@ -512,6 +512,13 @@ class Scene(_Held):
     def optimize(self):
         self._call('optimize')
 
+    def follow(self, world, sensors=False):
+        """Holds the shapes of the world's bodies, with their ids, and nothing else: call it after each
+        step, or whenever queries are due. False if parts of compounds had no room."""
+        status = self._space._call('scene{N}_follow')(self._context._open, self.handle, world.handle,
+                                                      int(sensors))
+        return status != c.DETENT_FULL and _check(status)
+
     def _placed(self, translation, axes, scale):
         return self._space._transform(self._space._vec(*translation), self._space._rotated(axes), scale)
 
@@ -705,6 +712,22 @@ class World(_Held):
         self._call('bodies', (c.detent_id * len(ids))(*ids), len(ids), bodies)
         return bodies
 
+    def body_ids(self):
+        """The ids of all bodies."""
+        return [_id(which) for which in self._list('body_ids', c.detent_id)]
+
+    def info(self, which):
+        """The properties of a body: user, layers, collides_with, motion, is_sensor, is_asleep,
+        part_count. Or None."""
+        info = c.detent_body_info()
+        return info if self._call('info', which._in_c(), byref(info)) else None
+
+    def part_of(self, which):
+        """(body, part) of an object of a scene that follows this world, or None."""
+        body, part = c.detent_id(), ctypes.c_uint32()
+        found = self._call('part_of', which._in_c(), byref(body), byref(part))
+        return (_id(body), part.value) if found else None
+
     def digest_of(self, which):
         """A 64-bit digest of one body, or None."""
         digest = ctypes.c_uint64()
@@ -713,6 +736,14 @@ class World(_Held):
     def position(self, which):
         body = self.body(which)
         return _Space._tuple(body.position) if body else None
+
+    def set_position(self, which, position):
+        """Puts a body elsewhere at once; it keeps its joints. False if no body has this id."""
+        return self._call('set_position', which._in_c(), self._space._vec(*position))
+
+    def set_rotation(self, which, axes):
+        """Turns a body about its center at once; it keeps its joints."""
+        return self._call('set_rotation', which._in_c(), self._space._rotated(axes))
 
     def set_velocity(self, which, velocity):
         return self._call('set_velocity', which._in_c(), self._space._vec(*velocity))
@@ -772,6 +803,10 @@ class World(_Held):
         self._call('joint_count', byref(count))
         return count.value
 
+    def joint_ids(self):
+        """The ids of all joints."""
+        return [_id(which) for which in self._list('joint_ids', c.detent_id)]
+
     def broken(self):
         """The joints that broke in the last step."""
         return [_id(which) for which in self._list('broken', c.detent_id)]
@@ -794,6 +829,11 @@ class World(_Held):
         """(a, b, begins) for each pair that began or ceased to touch in the last step."""
         return [(_id(touch.a), _id(touch.b), bool(touch.begins))
                 for touch in self._list('events', c.detent_touch)]
+
+    def touching(self, which=Id(0, 0)):
+        """(a, part_a, b, part_b) for each pair that touches, of one body or of all."""
+        return [(_id(touch.a), touch.part_a, _id(touch.b), touch.part_b)
+                for touch in self._list('touching', c.detent_touch, which._in_c())]
 
     def touches(self):
         """`touches` with the parts of compounds: (a, part_a, b, part_b, begins)."""

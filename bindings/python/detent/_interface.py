@@ -116,6 +116,19 @@ class detent_touch(Structure):
     ]
 
 
+class detent_body_info(Structure):
+    """The properties of a body."""
+    _fields_ = [
+        ('user', c_uint64),
+        ('layers', c_uint32),
+        ('collides_with', c_uint32),
+        ('motion', c_uint32),
+        ('is_sensor', c_uint32),
+        ('is_asleep', c_uint32),
+        ('part_count', c_uint32),
+    ]
+
+
 class detent_found(Structure):
     """An object found by a query, and its distance in steps of 2^-16."""
     _fields_ = [
@@ -864,6 +877,7 @@ class detent_screen_point3(Structure):
 assert sizeof(detent_id) == 8
 assert sizeof(detent_pair) == 16
 assert sizeof(detent_touch) == 28
+assert sizeof(detent_body_info) == 32
 assert sizeof(detent_found) == 12
 assert sizeof(detent_impact) == 12
 assert sizeof(detent_session_settings) == 72
@@ -1397,6 +1411,19 @@ FUNCTIONS = {
         POINTER(detent_context),
         c_uint32,
     ]),
+    'detent_scene2_follow': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+        c_uint32,
+    ]),
+    'detent_world2_part_of': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_id),
+        POINTER(c_uint32),
+    ]),
     'detent_world2_body': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -1415,6 +1442,24 @@ FUNCTIONS = {
         c_uint32,
         detent_id,
         POINTER(detent_transform2),
+    ]),
+    'detent_world2_info': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_body_info),
+    ]),
+    'detent_world2_set_position': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec2),
+    ]),
+    'detent_world2_set_rotation': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_rotation2),
     ]),
     'detent_world2_set_velocity': (c_int32, [
         POINTER(detent_context),
@@ -1480,6 +1525,13 @@ FUNCTIONS = {
         c_uint32,
         POINTER(c_uint32),
     ]),
+    'detent_world2_joint_ids': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_id),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
     'detent_world2_broken': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -1503,6 +1555,21 @@ FUNCTIONS = {
     ]),
     'detent_world2_size': (c_int32, [
         POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world2_body_ids': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_id),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world2_touching': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_touch),
         c_uint32,
         POINTER(c_uint32),
     ]),
@@ -2101,6 +2168,19 @@ FUNCTIONS = {
         POINTER(detent_context),
         c_uint32,
     ]),
+    'detent_scene3_follow': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+        c_uint32,
+    ]),
+    'detent_world3_part_of': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_id),
+        POINTER(c_uint32),
+    ]),
     'detent_world3_body': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -2119,6 +2199,24 @@ FUNCTIONS = {
         c_uint32,
         detent_id,
         POINTER(detent_transform3),
+    ]),
+    'detent_world3_info': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_body_info),
+    ]),
+    'detent_world3_set_position': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec3),
+    ]),
+    'detent_world3_set_rotation': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_rotation3),
     ]),
     'detent_world3_set_velocity': (c_int32, [
         POINTER(detent_context),
@@ -2184,6 +2282,13 @@ FUNCTIONS = {
         c_uint32,
         POINTER(c_uint32),
     ]),
+    'detent_world3_joint_ids': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_id),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
     'detent_world3_broken': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -2207,6 +2312,21 @@ FUNCTIONS = {
     ]),
     'detent_world3_size': (c_int32, [
         POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world3_body_ids': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_id),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world3_touching': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_touch),
         c_uint32,
         POINTER(c_uint32),
     ]),

@@ -122,6 +122,20 @@ const _: () = assert!(std::mem::size_of::<Touch>() == 28);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The properties of a body.
+pub struct BodyInfo {
+    pub user: u64,
+    pub layers: u32,
+    pub collides_with: u32,
+    pub motion: u32,
+    pub is_sensor: u32,
+    pub is_asleep: u32,
+    pub part_count: u32,
+}
+const _: () = assert!(std::mem::size_of::<BodyInfo>() == 32);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 /// An object found by a query, and its distance in steps of 2^-16.
 pub struct Found {
     pub distance: i32,
@@ -1002,9 +1016,14 @@ extern "C" {
     pub fn detent_world2_add_as(context: *mut Context, world: u32, id: Id, shape: *const Shape2, options: *const Body2Options) -> i32;
     pub fn detent_world2_remove(context: *mut Context, world: u32, id: Id) -> i32;
     pub fn detent_world2_step(context: *mut Context, world: u32) -> i32;
+    pub fn detent_scene2_follow(context: *mut Context, scene: u32, world: u32, sensors: u32) -> i32;
+    pub fn detent_world2_part_of(context: *const Context, world: u32, object: Id, body: *mut Id, part: *mut u32) -> i32;
     pub fn detent_world2_body(context: *const Context, world: u32, id: Id, body: *mut Body2) -> i32;
     pub fn detent_world2_bodies(context: *const Context, world: u32, ids: *const Id, count: u32, bodies: *mut Body2) -> i32;
     pub fn detent_world2_frame(context: *const Context, world: u32, id: Id, frame: *mut Transform2) -> i32;
+    pub fn detent_world2_info(context: *const Context, world: u32, id: Id, info: *mut BodyInfo) -> i32;
+    pub fn detent_world2_set_position(context: *mut Context, world: u32, id: Id, position: *const Vec2) -> i32;
+    pub fn detent_world2_set_rotation(context: *mut Context, world: u32, id: Id, rotation: *const Rotation2) -> i32;
     pub fn detent_world2_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec2) -> i32;
     pub fn detent_world2_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
     pub fn detent_world2_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec2, at: *const Vec2) -> i32;
@@ -1016,10 +1035,13 @@ extern "C" {
     pub fn detent_world2_remove_joint(context: *mut Context, world: u32, id: Id) -> i32;
     pub fn detent_world2_joint(context: *const Context, world: u32, id: Id, joint: *mut Joint2) -> i32;
     pub fn detent_world2_joint_count(context: *const Context, world: u32, count: *mut u32) -> i32;
+    pub fn detent_world2_joint_ids(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;
     pub fn detent_world2_broken(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;
     pub fn detent_world2_local_point(context: *const Context, world: u32, id: Id, point: *const Vec2, local: *mut Vec2) -> i32;
     pub fn detent_world2_local_frame(context: *const Context, world: u32, id: Id, frame: *const Rotation2, local: *mut Rotation2) -> i32;
     pub fn detent_world2_size(context: *const Context, world: u32, size: *mut u32) -> i32;
+    pub fn detent_world2_body_ids(context: *const Context, world: u32, ids: *mut Id, room: u32, count: *mut u32) -> i32;
+    pub fn detent_world2_touching(context: *const Context, world: u32, body: Id, touches: *mut Touch, room: u32, count: *mut u32) -> i32;
     pub fn detent_world2_events(context: *const Context, world: u32, events: *mut Touch, room: u32, count: *mut u32) -> i32;
     pub fn detent_world2_digest(context: *const Context, world: u32, digest: *mut u64) -> i32;
     pub fn detent_world2_digest_of(context: *const Context, world: u32, id: Id, digest: *mut u64) -> i32;
@@ -1117,9 +1139,14 @@ extern "C" {
     pub fn detent_world3_add_as(context: *mut Context, world: u32, id: Id, shape: *const Shape3, options: *const Body3Options) -> i32;
     pub fn detent_world3_remove(context: *mut Context, world: u32, id: Id) -> i32;
     pub fn detent_world3_step(context: *mut Context, world: u32) -> i32;
+    pub fn detent_scene3_follow(context: *mut Context, scene: u32, world: u32, sensors: u32) -> i32;
+    pub fn detent_world3_part_of(context: *const Context, world: u32, object: Id, body: *mut Id, part: *mut u32) -> i32;
     pub fn detent_world3_body(context: *const Context, world: u32, id: Id, body: *mut Body3) -> i32;
     pub fn detent_world3_bodies(context: *const Context, world: u32, ids: *const Id, count: u32, bodies: *mut Body3) -> i32;
     pub fn detent_world3_frame(context: *const Context, world: u32, id: Id, frame: *mut Transform3) -> i32;
+    pub fn detent_world3_info(context: *const Context, world: u32, id: Id, info: *mut BodyInfo) -> i32;
+    pub fn detent_world3_set_position(context: *mut Context, world: u32, id: Id, position: *const Vec3) -> i32;
+    pub fn detent_world3_set_rotation(context: *mut Context, world: u32, id: Id, rotation: *const Rotation3) -> i32;
     pub fn detent_world3_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec3) -> i32;
     pub fn detent_world3_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
     pub fn detent_world3_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec3, at: *const Vec3) -> i32;
@@ -1131,10 +1158,13 @@ extern "C" {
     pub fn detent_world3_remove_joint(context: *mut Context, world: u32, id: Id) -> i32;
     pub fn detent_world3_joint(context: *const Context, world: u32, id: Id, joint: *mut Joint3) -> i32;
     pub fn detent_world3_joint_count(context: *const Context, world: u32, count: *mut u32) -> i32;
+    pub fn detent_world3_joint_ids(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;
     pub fn detent_world3_broken(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;
     pub fn detent_world3_local_point(context: *const Context, world: u32, id: Id, point: *const Vec3, local: *mut Vec3) -> i32;
     pub fn detent_world3_local_frame(context: *const Context, world: u32, id: Id, frame: *const Rotation3, local: *mut Rotation3) -> i32;
     pub fn detent_world3_size(context: *const Context, world: u32, size: *mut u32) -> i32;
+    pub fn detent_world3_body_ids(context: *const Context, world: u32, ids: *mut Id, room: u32, count: *mut u32) -> i32;
+    pub fn detent_world3_touching(context: *const Context, world: u32, body: Id, touches: *mut Touch, room: u32, count: *mut u32) -> i32;
     pub fn detent_world3_events(context: *const Context, world: u32, events: *mut Touch, room: u32, count: *mut u32) -> i32;
     pub fn detent_world3_digest(context: *const Context, world: u32, digest: *mut u64) -> i32;
     pub fn detent_world3_digest_of(context: *const Context, world: u32, id: Id, digest: *mut u64) -> i32;

@@ -601,6 +601,14 @@ macro_rules! space {
                 pub fn remove_frame(&mut self, frame: Id) -> Result<bool> {
                     check(unsafe { scene_remove_frame(self.at(), self.handle, frame) })
                 }
+                /// Holds the shapes of the world's bodies, with their ids, and nothing else: call it
+                /// after each step, or whenever queries are due. Sensors only if asked for.
+                pub fn follow(&mut self, world: &World<'a>, sensors: bool) -> Result<()> {
+                    check(unsafe {
+                        scene_follow(self.at(), self.handle, world.handle, sensors as u32)
+                    })
+                    .map(|_| ())
+                }
                 /// Speeds up queries after many additions.
                 pub fn optimize(&mut self) -> Result<()> {
                     check(unsafe { scene_optimize(self.at(), self.handle) }).map(|_| ())
@@ -749,6 +757,12 @@ macro_rules! space {
                     let yes = check(unsafe { world_joint(self.at(), self.handle, id, &mut joint) })?;
                     Ok(if yes { Some(joint) } else { None })
                 }
+                /// The ids of all joints.
+                pub fn joint_ids(&self) -> Result<Vec<Id>> {
+                    list(|to, room, count| unsafe {
+                        world_joint_ids(self.at(), self.handle, to, room, count)
+                    })
+                }
                 /// The joints that broke in the last step.
                 pub fn broken(&self) -> Result<Vec<Id>> {
                     list(|to, room, count| unsafe {
@@ -780,6 +794,36 @@ macro_rules! space {
                 /// The position of a body.
                 pub fn position(&self, id: Id) -> Result<Option<[i32; $n]>> {
                     Ok(self.body(id)?.map(|body| [$(body.position.$x),*]))
+                }
+                /// The ids of all bodies.
+                pub fn body_ids(&self) -> Result<Vec<Id>> {
+                    list(|to, room, count| unsafe {
+                        world_body_ids(self.at(), self.handle, to, room, count)
+                    })
+                }
+                /// The properties of a body.
+                pub fn info(&self, id: Id) -> Result<Option<ffi::BodyInfo>> {
+                    let mut info = ffi::BodyInfo::default();
+                    let yes = check(unsafe { world_info(self.at(), self.handle, id, &mut info) })?;
+                    Ok(if yes { Some(info) } else { None })
+                }
+                /// The body and part of an object of a scene that follows this world.
+                pub fn part_of(&self, object: Id) -> Result<Option<(Id, u32)>> {
+                    let (mut body, mut part) = (Id::default(), 0);
+                    let yes = check(unsafe {
+                        world_part_of(self.at(), self.handle, object, &mut body, &mut part)
+                    })?;
+                    Ok(if yes { Some((body, part)) } else { None })
+                }
+                /// Puts a body elsewhere at once; it keeps its joints. False if no body has this id.
+                pub fn set_position(&mut self, id: Id, position: [i32; $n]) -> Result<bool> {
+                    check(unsafe { world_set_position(self.at(), self.handle, id, &vec(position)) })
+                }
+                /// Turns a body about its center at once; it keeps its joints.
+                pub fn set_rotation(&mut self, id: Id, axes: [[i32; $n]; $n]) -> Result<bool> {
+                    check(unsafe {
+                        world_set_rotation(self.at(), self.handle, id, &rotation(axes))
+                    })
                 }
                 /// Sets the velocity of a body and wakes it.
                 pub fn set_velocity(&mut self, id: Id, velocity: [i32; $n]) -> Result<bool> {
@@ -836,6 +880,12 @@ macro_rules! space {
                         world_frame(self.at(), self.handle, id, &mut frame)
                     })?;
                     Ok(if yes { Some(frame) } else { None })
+                }
+                /// The pairs that touch, of one body or, for `Id::default()`, of all.
+                pub fn touching(&self, body: Id) -> Result<Vec<Touch>> {
+                    list(|to, room, count| unsafe {
+                        world_touching(self.at(), self.handle, body, to, room, count)
+                    })
                 }
                 /// The pairs that began or ceased to touch in the last step.
                 pub fn events(&self) -> Result<Vec<Touch>> {
@@ -1116,6 +1166,7 @@ space! {
     scene_replace = detent_scene2_replace,
     scene_move = detent_scene2_move,
     scene_optimize = detent_scene2_optimize,
+    scene_follow = detent_scene2_follow,
     scene_size = detent_scene2_size,
     scene_raycast = detent_scene2_raycast,
     scene_raycast_any = detent_scene2_raycast_any,
@@ -1134,6 +1185,13 @@ space! {
     world_remove = detent_world2_remove,
     world_step = detent_world2_step,
     world_body = detent_world2_body,
+    world_body_ids = detent_world2_body_ids,
+    world_info = detent_world2_info,
+    world_joint_ids = detent_world2_joint_ids,
+    world_part_of = detent_world2_part_of,
+    world_set_position = detent_world2_set_position,
+    world_set_rotation = detent_world2_set_rotation,
+    world_touching = detent_world2_touching,
     world_set_velocity = detent_world2_set_velocity,
     world_set_angular_velocity = detent_world2_set_angular_velocity,
     world_apply_impulse = detent_world2_apply_impulse,
@@ -1217,6 +1275,7 @@ space! {
     scene_replace = detent_scene3_replace,
     scene_move = detent_scene3_move,
     scene_optimize = detent_scene3_optimize,
+    scene_follow = detent_scene3_follow,
     scene_size = detent_scene3_size,
     scene_raycast = detent_scene3_raycast,
     scene_raycast_any = detent_scene3_raycast_any,
@@ -1235,6 +1294,13 @@ space! {
     world_remove = detent_world3_remove,
     world_step = detent_world3_step,
     world_body = detent_world3_body,
+    world_body_ids = detent_world3_body_ids,
+    world_info = detent_world3_info,
+    world_joint_ids = detent_world3_joint_ids,
+    world_part_of = detent_world3_part_of,
+    world_set_position = detent_world3_set_position,
+    world_set_rotation = detent_world3_set_rotation,
+    world_touching = detent_world3_touching,
     world_set_velocity = detent_world3_set_velocity,
     world_set_angular_velocity = detent_world3_set_angular_velocity,
     world_apply_impulse = detent_world3_apply_impulse,

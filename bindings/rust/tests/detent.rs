@@ -33,6 +33,36 @@ fn single_queries() {
 }
 
 #[test]
+fn scenes_that_follow_worlds() {
+    let context = Context::new().unwrap();
+    let mut scene = d2::Scene::new(&context).unwrap();
+    let mut world = d2::World::new(&context, &d2::default_settings()).unwrap();
+    let options = d2::default_options();
+    let ball = world.add(&d2::sphere([0, 5 * ONE], ONE), &options).unwrap();
+    let fixed = d2::BodyOptions { motion: ffi::FIXED_BODY, is_sensor: 1, ..options };
+    let gate = world.add(&d2::aabb([-ONE, -ONE], [ONE, ONE]), &fixed).unwrap();
+    let down = d2::ray([0, 9 * ONE], [0, -UNIT], 20 * ONE);
+    scene.follow(&world, false).unwrap();
+    assert_eq!(scene.raycast(&down, !0).unwrap().unwrap().id, ball);
+    assert_eq!(scene.size(), Ok(1));
+    scene.follow(&world, true).unwrap();
+    assert_eq!(scene.raycast_all(&down, !0).unwrap()[1].id, gate);
+    assert_eq!(world.part_of(gate), Ok(Some((gate, 0))));
+    assert_eq!(world.body_ids(), Ok(vec![ball, gate]));
+    assert_eq!(world.info(gate).unwrap().unwrap().is_sensor, 1);
+    let joint = d2::joint(ffi::DISTANCE_JOINT, ball, gate).unwrap();
+    let rope = world.add_joint(&d2::Joint { upper: 9 * ONE, ..joint }).unwrap().unwrap();
+    assert_eq!(world.set_position(ball, [0, ONE]), Ok(true));
+    assert_eq!(world.set_rotation(ball, [[0, UNIT], [-UNIT, 0]]), Ok(true));
+    assert_eq!(world.joint_ids(), Ok(vec![rope]));
+    world.step().unwrap();
+    assert_eq!(world.touching(ball).unwrap().len(), 0); // joined without collision
+    world.remove_joint(rope).unwrap();
+    world.step().unwrap();
+    assert_eq!(world.touching(ball).unwrap()[0].b, gate);
+}
+
+#[test]
 fn scenes() {
     let context = Context::new().unwrap();
     let mut scene = d2::Scene::new(&context).unwrap();

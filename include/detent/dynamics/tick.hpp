@@ -54,6 +54,7 @@ class Tick {
   using ContactState = std::conditional_t<has_round, RollingContact<S, N>, BodyContact<S, N>>;
   static constexpr std::size_t bodies_room = Storage::capacity;
   static constexpr std::size_t contacts_room = contact_room(Storage::capacity);
+  static constexpr std::size_t passes_room = Storage::capacity;
   using Bodies = typename Storage::template List<Body, bodies_room>;
   using Contacts = typename Storage::template List<ContactState, contacts_room>;
 
@@ -95,10 +96,18 @@ class Tick {
              pace.bounce);
     });
     finish(bodies, pace);
-    if (has_fast) stop_fast(bodies, margin);
+    passes_.clear();
+    if (has_fast) {
+      stop_fast(bodies, margin);
+      find_passes(bodies, contacts, margin, pace.margin, threads);
+    }
     std::swap(contacts, found_.contacts);
     return is_still;
   }
+
+  /// The pairs with a sensor of which a fast body passed the other one in the last run, in order.
+  /// They touched neither at its start nor at its end.
+  [[nodiscard]] constexpr const auto& passes() const noexcept { return passes_; }
 
   /// The contacts before the last run.
   [[nodiscard]] constexpr const Contacts& contacts_before() const noexcept {
@@ -198,79 +207,153 @@ class Tick {
   constexpr void stop_fast(Bodies& bodies, const S& margin) {
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
       if (!is_fast(bodies[i])) continue;
-      const auto radius = inner_radius_of(bodies[i]);
+      const auto ball = inner_ball_of(bodies[i]);
       for (int rank = 0; rank < 4; ++rank) {
         for (std::uint32_t j = 0; j < bodies.size(); ++j) {
-          const Body& other = bodies[j];
-          if (j == i || other.generation == 0 || rank_of(other) != rank ||
-              is_sensed(bodies, i, j) || !meet(bodies[i], other) ||
-              group_.keeps_apart({(std::min)(i, j), (std::max)(i, j)})) {
-            continue;
+          if (can_collide(bodies, i, j) && rank_of(bodies[j]) == rank && !is_sensed(bodies, i, j)) {
+            meet_on_way(bodies, i, j, ball, margin, false);
           }
-          stop(bodies[i], starts_[i], radius, other, starts_[j], margin);
         }
       }
     }
+  }
+  /// Whether `other` is another body that can touch a body that can move.
+  constexpr bool can_collide(const Bodies& bodies, std::uint32_t body, std::uint32_t other) const {
+    return other != body && bodies[other].generation != 0 && meet(bodies[body], bodies[other]) &&
+           !group_.keeps_apart({(std::min)(body, other), (std::max)(body, other)});
   }
   static constexpr int rank_of(const Body& body) noexcept {
     if (body.motion == BodyMotion::fixed) return 3;
     return body.motion == BodyMotion::kinematic ? 2 : is_fast(body) ? 0 : 1;
   }
-  /// The radius of a ball about the body's center that lies inside one of its shapes, or 0.
-  static constexpr S inner_radius_of(const Body& body) noexcept {
+  /// The greatest ball about a body's center that lies inside one of its shapes; the part that it
+  /// is in.
+  struct InnerBall {
+    S radius{};
+    std::uint32_t part = 0;
+  };
+  static constexpr InnerBall inner_ball_of(const Body& body) noexcept {
     return body.shape.visit([]<class Mine>(const Mine& mine) {
-      S radius{};
+      InnerBall ball;
       if constexpr (is_compound_body<Mine>) {
-        if (mine.asset == nullptr) return radius;
-        for (const auto& part : mine.asset->parts()) {
-          if (part.options().is_sensor) continue;
-          const auto pose = pose_in(*mine.asset, part);
-          visit_part(part,
-                     [&](const auto& solid) { radius = (max)(radius, inner_radius(solid, pose)); });
+        if (mine.asset == nullptr) return ball;
+        const auto parts = mine.asset->parts();
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+          if (parts[k].options().is_sensor) continue;
+          const auto pose = pose_in(*mine.asset, parts[k]);
+          visit_part(parts[k], [&](const auto& solid) {
+            const auto radius = inner_radius(solid, pose);
+            if (radius > ball.radius) ball = {radius, static_cast<std::uint32_t>(k)};
+          });
         }
       } else if constexpr (!is_surface_body<Mine>) {
-        radius = (max)(radius, inner_radius(mine));
+        ball.radius = (max)(ball.radius, inner_radius(mine));
       }
-      return radius;
+      return ball;
     });
   }
-  static constexpr void stop(Body& body, const Standing<S, N>& start, const S& radius,
-                             const Body& other, const Standing<S, N>& before,
-                             const S& margin) noexcept {
+  /// Stops a fast body before the shapes of another one on its path through this tick; or, if it
+  /// `passes`, finds the sensors among them.
+  constexpr void meet_on_way(Bodies& bodies, std::uint32_t fast, std::uint32_t index,
+                             const InnerBall& ball, const S& margin, bool passes) {
+    Body& body = bodies[fast];
+    const Body& other = bodies[index];
+    const auto before = starts_[index];
     const auto after =
         other.motion == BodyMotion::fixed
             ? before
             : Standing<S, N>{other.state.place, axes_of<S, N>(other.state.orientation)};
+    const bool are_sensed = is_sensed(bodies, fast, index);
+    const auto meet = [&](std::uint32_t part, const auto& shape, const BodyExtent<S, N>& extent,
+                          const Standing<S, N>& from, const Standing<S, N>& to) {
+      const auto at = stop_before(shape, extent, seen_from(from, starts_[fast].place),
+                                  seen_from(to, body.state.place), ball.radius, margin);
+      if (!at) return;
+      if (passes) {
+        add_pass(bodies, fast < index ? event_key(bodies, {fast, index}, ball.part, part)
+                                      : event_key(bodies, {index, fast}, part, ball.part));
+      } else {
+        stop(body, out_of(to, *at));
+      }
+    };
     other.shape.visit([&]<class Other>(const Other& shape) {
       if constexpr (is_compound_body<Other>) {
         if (shape.asset == nullptr) return;
-        for (const auto& part : shape.asset->parts()) {
-          if (part.options().is_sensor) continue;
-          const auto pose = pose_in(*shape.asset, part);
-          visit_part(part, [&](const auto& solid) {
-            stop(body, start, solid, part.reach(), part_at(before, pose), part_at(after, pose),
-                 radius, margin);
+        const auto parts = shape.asset->parts();
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+          if ((are_sensed || parts[k].options().is_sensor) != passes) continue;
+          const auto pose = pose_in(*shape.asset, parts[k]);
+          visit_part(parts[k], [&](const auto& solid) {
+            meet(static_cast<std::uint32_t>(k), solid, parts[k].reach(), part_at(before, pose),
+                 part_at(after, pose));
           });
         }
-      } else {
-        stop(body, start, shape, other.reach, before, after, radius, margin);
+      } else if (are_sensed == passes) {
+        meet(0, shape, other.reach, before, after);
       }
     });
   }
-  template <class Other>
-  static constexpr void stop(Body& body, const Standing<S, N>& start, const Other& shape,
-                             const BodyExtent<S, N>& extent, const Standing<S, N>& before,
-                             const Standing<S, N>& after, const S& radius, const S& margin) {
-    const auto from = seen_from(before, start.place), to = seen_from(after, body.state.place);
-    const auto at = stop_before(shape, extent, from, to, radius, margin);
-    if (!at) return;
-    const auto place = out_of(after, *at);
+  static constexpr void stop(Body& body, const Vec<typename F::Place, N>& place) noexcept {
     for (int k = 0; k < N; ++k) {
       if (!is_locked(body.locked, k)) body.state.place[k] = place[k];
     }
     body.hold_here();
     body.sleeps = false;
     body.quiet = 0;
+  }
+
+  /// Finds the sensors that fast bodies passed, or bodies that fast sensors passed, between the
+  /// start and the end of this tick.
+  template <class Threads>
+  constexpr void find_passes(Bodies& bodies, const Contacts& before, const S& margin,
+                             const typename F::Lever& reach, const Threads& threads) {
+    const auto now = found_.contacts.size();
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+      if (!is_fast(bodies[i])) continue;
+      const auto ball = inner_ball_of(bodies[i]);
+      for (std::uint32_t j = 0; j < bodies.size(); ++j) {
+        if (can_collide(bodies, i, j)) meet_on_way(bodies, i, j, ball, S(0), true);
+      }
+    }
+    if (passes_.size() == 0) return;
+    std::sort(&passes_[0], &passes_[0] + passes_.size());
+    // What touches at the end is left to the next tick, which finds these contacts again.
+    pairs_.clear();
+    for (std::size_t k = 0; k < passes_.size(); ++k) {
+      if (k == 0 || passes_[k].pair != passes_[k - 1].pair) pairs_.push_back(passes_[k].pair);
+    }
+    place(bodies, threads);
+    if (are_held_) hold_back(bodies);
+    touch(bodies, before, margin, reach, 0, pairs_.size(), found_);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < passes_.size(); ++k) {
+      if (!touches(bodies, now, passes_[k])) passes_[kept++] = passes_[k];
+    }
+    passes_.resize(kept);
+    found_.contacts.resize(now);
+  }
+  constexpr void add_pass(const Bodies& bodies, const ContactKey& key) {
+    if (passes_.size() == passes_room || touches(bodies, 0, key)) return;
+    for (std::size_t k = 0; k < passes_.size(); ++k) {
+      if (passes_[k] == key) return;  // both are fast
+    }
+    passes_.push_back(key);
+  }
+  /// Whether a pair touches in one of the contacts from `first` on.
+  constexpr bool touches(const Bodies& bodies, std::size_t first, const ContactKey& key) const {
+    for (std::size_t k = first; k < found_.contacts.size(); ++k) {
+      const auto& contact = found_.contacts[k];
+      if (contact.touches && touching(bodies, contact) == key) return true;
+    }
+    return false;
+  }
+  /// The identity in events of a pair of parts, as `touching` gives it.
+  static constexpr ContactKey event_key(const Bodies& bodies, const BodyPair& pair,
+                                        std::uint32_t part_a, std::uint32_t part_b) noexcept {
+    if (compound_of<S, N>(bodies[pair.a].shape) == nullptr) {
+      return {pair, static_cast<std::uint16_t>(part_b)};
+    }
+    return {pair, static_cast<std::uint16_t>(part_a), part_b};
   }
 
   /// Calls f with the shape of a part, as one of the types that the world names.
@@ -1117,6 +1200,7 @@ class Tick {
 
   List<Support<S, N>, bodies_room> supports_;
   List<Standing<S, N>, bodies_room> starts_;  // empty without a fast body
+  List<ContactKey, passes_room> passes_;
   List<Moving<S, N>, bodies_room> moving_;
   List<Axes<S, N>, bodies_room> half_way_;  // the axes at the middle of the substep
   List<SweepEntry<S, N>, bodies_room> swept_;

@@ -24,7 +24,8 @@ struct WorldAccess;
 }  // namespace detail
 
 /// A pair of bodies that began or stopped touching in the last step, in order of their indices; for
-/// compounds a pair of parts. Sensors have such events, too; the removal of a body does not.
+/// compounds a pair of parts. Sensors have such events, too, and both at once for a fast body that
+/// passed them within the step; the removal of a body has none.
 struct TouchEvent {
   BodyId a, b;
   bool begins;
@@ -229,6 +230,20 @@ class BasicWorld {
   }
   [[nodiscard]] constexpr std::size_t joint_count() const noexcept requires(has_joints) {
     return joints_.size;
+  }
+  /// Calls f(id, joint), or f(id) if f takes only a `JointId`, for each joint in order of index.
+  template <class F>
+  constexpr void for_each_joint(const F& f) const requires(has_joints) {
+    for (std::size_t i = 0; i < joints_.list.size(); ++i) {
+      const auto& record = joints_.list[i];
+      if (record.generation == 0) continue;
+      const JointId id{static_cast<std::uint32_t>(i), record.generation};
+      if constexpr (std::invocable<const F&, const JointId&>) {
+        f(id);
+      } else {
+        record.joint.visit([&](const auto& joint) { f(id, joint); });
+      }
+    }
   }
   /// The joints that broke in the last step and were removed, in order of their indices.
   [[nodiscard]] constexpr std::size_t broken_count() const noexcept requires(has_joints) {
@@ -436,6 +451,15 @@ class BasicWorld {
     rouse(*body);
   }
 
+  /// Calls f(touch) with a `TouchEvent` for each pair that touches: those that began to and have not
+  /// stopped, in the order of events.
+  template <class F>
+  constexpr void for_each_touch(const F& f) const {
+    for (std::size_t i = 0; i < contacts_.size();) {
+      const auto key = Tick::touching(bodies_, contacts_[i]);
+      if (touches(contacts_, i, key)) f(touch_of(key, true));
+    }
+  }
   /// Pairs that began or stopped touching in the last step.
   [[nodiscard]] constexpr std::size_t event_count() const noexcept { return events_.size(); }
   [[nodiscard]] constexpr const TouchEvent& event(std::size_t i) const noexcept {
@@ -537,25 +561,40 @@ class BasicWorld {
     return saturate_to<S>(x * detail::as_operand<S>(pace_.rate));
   }
 
-  /// Updates the events. A pair touches if one of its contacts does.
+  [[nodiscard]] constexpr TouchEvent touch_of(const detail::ContactKey& key,
+                                              bool begins) const noexcept {
+    const auto [part_a, part_b] = Tick::parts_touching(bodies_, key);
+    return {id_of(key.pair.a), id_of(key.pair.b), begins, part_a, part_b};
+  }
+  /// Whether a pair touches in one of its contacts, which begin at k. Moves k behind them.
+  template <class Contacts>
+  [[nodiscard]] constexpr bool touches(const Contacts& contacts, std::size_t& k,
+                                       const detail::ContactKey& key) const noexcept {
+    bool any = false;
+    for (; k < contacts.size() && Tick::touching(bodies_, contacts[k]) == key; ++k) {
+      any = any || contacts[k].touches;
+    }
+    return any;
+  }
+  /// Updates the events. A pair touches if one of its contacts does; a pass begins and ends at once.
   constexpr void note_events() {
     const auto& before = tick_.contacts_before();
-    std::size_t i = 0, j = 0;
+    const auto& passes = tick_.passes();
+    std::size_t i = 0, j = 0, pass = 0;
     const auto at = [&](const auto& contacts, std::size_t k) {
       return k < contacts.size() ? Tick::touching(bodies_, contacts[k])
                                  : detail::ContactKey{{~0u, ~0u}};
     };
-    const auto touches = [&](const auto& contacts, std::size_t& k, const detail::ContactKey& key) {
-      bool any = false;
-      for (; k < contacts.size() && at(contacts, k) == key; ++k) any = any || contacts[k].touches;
-      return any;
-    };
-    while (i < before.size() || j < contacts_.size()) {
-      const auto key = (std::min)(at(before, i), at(contacts_, j));
+    while (i < before.size() || j < contacts_.size() || pass < passes.size()) {
+      auto key = (std::min)(at(before, i), at(contacts_, j));
+      if (pass < passes.size()) key = (std::min)(key, passes[pass]);
       const bool was = touches(before, i, key), is = touches(contacts_, j, key);
-      if (was == is) continue;
-      const auto [part_a, part_b] = Tick::parts_touching(bodies_, key);
-      events_.push_back({id_of(key.pair.a), id_of(key.pair.b), is, part_a, part_b});
+      if (was != is) events_.push_back(touch_of(key, is));
+      if (pass < passes.size() && passes[pass] == key) {
+        events_.push_back(touch_of(key, true));
+        events_.push_back(touch_of(key, false));
+        ++pass;
+      }
     }
   }
 
@@ -577,7 +616,8 @@ class BasicWorld {
   std::uint32_t next_ = 1;
   std::uint32_t first_free_ = 0;
   std::size_t size_ = 0;
-  typename Storage::template List<TouchEvent, 2 * Tick::contacts_room> events_;
+  typename Storage::template List<TouchEvent, 2 * (Tick::contacts_room + Tick::passes_room)>
+      events_;
   Tick tick_;
   // Neither the last step nor a call since then changed anything, so no further step will.
   bool is_still_ = false;

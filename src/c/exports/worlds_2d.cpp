@@ -36,6 +36,12 @@ detent_status detent_world2_remove(detent_context* context, detent_handle world,
 detent_status detent_world2_step(detent_context* context, detent_handle world) {
   return detent::c::Worlds<2>::step(context, world);
 }
+detent_status detent_scene2_follow(detent_context* context, detent_handle scene, detent_handle world, uint32_t sensors) {
+  return detent::c::Worlds<2>::follow(context, scene, world, sensors);
+}
+detent_status detent_world2_part_of(const detent_context* context, detent_handle world, detent_id object, detent_id* body, uint32_t* part) {
+  return detent::c::Worlds<2>::part_of(context, world, object, body, part);
+}
 detent_status detent_world2_body(const detent_context* context, detent_handle world, detent_id id, detent_body2* body) {
   return detent::c::Worlds<2>::body(context, world, id, body);
 }
@@ -44,6 +50,15 @@ detent_status detent_world2_bodies(const detent_context* context, detent_handle 
 }
 detent_status detent_world2_frame(const detent_context* context, detent_handle world, detent_id id, detent_transform2* frame) {
   return detent::c::Worlds<2>::frame(context, world, id, frame);
+}
+detent_status detent_world2_info(const detent_context* context, detent_handle world, detent_id id, detent_body_info* info) {
+  return detent::c::Worlds<2>::info(context, world, id, info);
+}
+detent_status detent_world2_set_position(detent_context* context, detent_handle world, detent_id id, const detent_vec2* position) {
+  return detent::c::Worlds<2>::set_position(context, world, id, position);
+}
+detent_status detent_world2_set_rotation(detent_context* context, detent_handle world, detent_id id, const detent_rotation2* rotation) {
+  return detent::c::Worlds<2>::set_rotation(context, world, id, rotation);
 }
 detent_status detent_world2_set_velocity(detent_context* context, detent_handle world, detent_id id, const detent_vec2* velocity) {
   return detent::c::Worlds<2>::set_velocity(context, world, id, velocity);
@@ -78,6 +93,9 @@ detent_status detent_world2_joint(const detent_context* context, detent_handle w
 detent_status detent_world2_joint_count(const detent_context* context, detent_handle world, uint32_t* count) {
   return detent::c::Worlds<2>::joint_count(context, world, count);
 }
+detent_status detent_world2_joint_ids(const detent_context* context, detent_handle world, detent_id* joints, uint32_t room, uint32_t* count) {
+  return detent::c::Worlds<2>::joint_ids(context, world, joints, room, count);
+}
 detent_status detent_world2_broken(const detent_context* context, detent_handle world, detent_id* joints, uint32_t room, uint32_t* count) {
   return detent::c::Worlds<2>::broken(context, world, joints, room, count);
 }
@@ -89,6 +107,12 @@ detent_status detent_world2_local_frame(const detent_context* context, detent_ha
 }
 detent_status detent_world2_size(const detent_context* context, detent_handle world, uint32_t* size) {
   return detent::c::Worlds<2>::size(context, world, size);
+}
+detent_status detent_world2_body_ids(const detent_context* context, detent_handle world, detent_id* ids, uint32_t room, uint32_t* count) {
+  return detent::c::Worlds<2>::body_ids(context, world, ids, room, count);
+}
+detent_status detent_world2_touching(const detent_context* context, detent_handle world, detent_id body, detent_touch* touches, uint32_t room, uint32_t* count) {
+  return detent::c::Worlds<2>::touching(context, world, body, touches, room, count);
 }
 detent_status detent_world2_events(const detent_context* context, detent_handle world, detent_touch* events, uint32_t room, uint32_t* count) {
   return detent::c::Worlds<2>::events(context, world, events, room, count);

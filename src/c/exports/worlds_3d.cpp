@@ -36,6 +36,12 @@ detent_status detent_world3_remove(detent_context* context, detent_handle world,
 detent_status detent_world3_step(detent_context* context, detent_handle world) {
   return detent::c::Worlds<3>::step(context, world);
 }
+detent_status detent_scene3_follow(detent_context* context, detent_handle scene, detent_handle world, uint32_t sensors) {
+  return detent::c::Worlds<3>::follow(context, scene, world, sensors);
+}
+detent_status detent_world3_part_of(const detent_context* context, detent_handle world, detent_id object, detent_id* body, uint32_t* part) {
+  return detent::c::Worlds<3>::part_of(context, world, object, body, part);
+}
 detent_status detent_world3_body(const detent_context* context, detent_handle world, detent_id id, detent_body3* body) {
   return detent::c::Worlds<3>::body(context, world, id, body);
 }
@@ -44,6 +50,15 @@ detent_status detent_world3_bodies(const detent_context* context, detent_handle 
 }
 detent_status detent_world3_frame(const detent_context* context, detent_handle world, detent_id id, detent_transform3* frame) {
   return detent::c::Worlds<3>::frame(context, world, id, frame);
+}
+detent_status detent_world3_info(const detent_context* context, detent_handle world, detent_id id, detent_body_info* info) {
+  return detent::c::Worlds<3>::info(context, world, id, info);
+}
+detent_status detent_world3_set_position(detent_context* context, detent_handle world, detent_id id, const detent_vec3* position) {
+  return detent::c::Worlds<3>::set_position(context, world, id, position);
+}
+detent_status detent_world3_set_rotation(detent_context* context, detent_handle world, detent_id id, const detent_rotation3* rotation) {
+  return detent::c::Worlds<3>::set_rotation(context, world, id, rotation);
 }
 detent_status detent_world3_set_velocity(detent_context* context, detent_handle world, detent_id id, const detent_vec3* velocity) {
   return detent::c::Worlds<3>::set_velocity(context, world, id, velocity);
@@ -78,6 +93,9 @@ detent_status detent_world3_joint(const detent_context* context, detent_handle w
 detent_status detent_world3_joint_count(const detent_context* context, detent_handle world, uint32_t* count) {
   return detent::c::Worlds<3>::joint_count(context, world, count);
 }
+detent_status detent_world3_joint_ids(const detent_context* context, detent_handle world, detent_id* joints, uint32_t room, uint32_t* count) {
+  return detent::c::Worlds<3>::joint_ids(context, world, joints, room, count);
+}
 detent_status detent_world3_broken(const detent_context* context, detent_handle world, detent_id* joints, uint32_t room, uint32_t* count) {
   return detent::c::Worlds<3>::broken(context, world, joints, room, count);
 }
@@ -89,6 +107,12 @@ detent_status detent_world3_local_frame(const detent_context* context, detent_ha
 }
 detent_status detent_world3_size(const detent_context* context, detent_handle world, uint32_t* size) {
   return detent::c::Worlds<3>::size(context, world, size);
+}
+detent_status detent_world3_body_ids(const detent_context* context, detent_handle world, detent_id* ids, uint32_t room, uint32_t* count) {
+  return detent::c::Worlds<3>::body_ids(context, world, ids, room, count);
+}
+detent_status detent_world3_touching(const detent_context* context, detent_handle world, detent_id body, detent_touch* touches, uint32_t room, uint32_t* count) {
+  return detent::c::Worlds<3>::touching(context, world, body, touches, room, count);
 }
 detent_status detent_world3_events(const detent_context* context, detent_handle world, detent_touch* events, uint32_t room, uint32_t* count) {
   return detent::c::Worlds<3>::events(context, world, events, room, count);

@@ -22,6 +22,8 @@ def field_of(line, i, n):
         count = {"place": n, "orientation": 2 if n == 2 else 4, "velocity": n,
                  "spin": 1 if n == 2 else 3, "drift": n, "lean": 1 if n == 2 else 3, "quiet": 1, "sleeps": 1}
         names = ["body", "index"]
+    elif words[0] == "event":
+        count, names = {}, ["event", "a", "b", "part of a", "part of b", "begins"]
     elif words[0] == "joint":
         count, names = {"impulse": 99}, ["joint", "index", "a", "b"]
     else:

@@ -24,7 +24,7 @@ void print_joints(const List& joints) {
   }
 }
 
-/// The integers of every body, contact and joint, a line each, and an empty line.
+/// The integers of every body, contact, joint and event, a line each, and an empty line.
 template <Scalar S, int N, class World>
 void print_state(const World& world) {
   const auto& bodies = detail::WorldAccess::bodies(world);
@@ -59,6 +59,11 @@ void print_state(const World& world) {
     std::cout << '\n';
   }
   if constexpr (World::has_joints) print_joints(detail::WorldAccess::joints(world).list);
+  for (std::size_t k = 0; k < world.event_count(); ++k) {
+    const auto& event = world.event(k);
+    std::cout << "event " << event.a.index << ' ' << event.b.index << ' ' << event.part_a << ' '
+              << event.part_b << ' ' << event.begins << '\n';
+  }
   std::cout << '\n';
 }
 

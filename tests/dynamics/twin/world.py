@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""docs/dynamics.md, "A tick": steps 1 to 5 and 9."""
+"""docs/dynamics.md, "A tick": steps 1 to 5 and 9, and events."""
 import body as bodies
 import fast
 import solver
@@ -32,6 +32,7 @@ class World:
         self.margin = f.lever.near(settings["margin"], f.F)
         self.hold, self.hold_turn = f.speed.near(settings["hold"], f.F), 1 << 21
         self.bodies, self.contacts, self.joints = [], {}, []  # None for a removed joint
+        self.touch_events = []
 
     def add(self, motion, shape, place, q, options, frame):
         f = self.f
@@ -143,16 +144,39 @@ class World:
         for b in self.bodies:
             self.find_axes(b)
         starts = [(list(b.x), b.axes) for b in self.bodies]
+        before = self.touching(self.contacts)
         pairs = list(self.pairs())
         self.hold_back()
-        self.find_contacts(pairs)
+        self.contacts = self.find_contacts(pairs)
         self.joints_before = [j for j in self.joints if j]
         islands, active = self.islands()
         broken = solver.solve(self, self.coloured(active))
         self.rest(islands)
         fast.stop_all(self, starts)
+        passes = fast.passes(self, starts)
         for joint in broken:
             self.end(joint)
+        now = self.touching(self.contacts)
+        self.touch_events = sorted([(*pair, 0, int(pair in now)) for pair in before ^ now] +
+                             [(*pair, 1 + end, 1 - end) for pair in passes for end in (0, 1)])
+
+    def touching(self, contacts):
+        """The pairs (a, b, part of a, part of b) that touch."""
+        found = set()
+        for (a, b, part, other), c in contacts.items():
+            if c.touches:
+                of_a, of_b = (self.bodies[i].shape.kind == "compound" for i in (a, b))
+                found.add((a, b, part if of_a else 0, (other if of_a else part) if of_b else 0))
+        return found
+
+    def contacts_of(self, pairs):
+        """The contacts of some pairs at the end of a tick."""
+        for b in self.bodies:
+            self.find_axes(b)
+        self.hold_back()
+        contacts = self.find_contacts(sorted(pairs))
+        self.let_go()
+        return contacts
 
     # 1. Axes
 
@@ -218,8 +242,8 @@ class World:
     # 3. Contacts
 
     def find_contacts(self, pairs):
-        old, self.contacts = self.contacts, {}
-        f = self.f
+        """The contacts of pairs, which continue those of the world."""
+        old, found, f = self.contacts, {}, self.f
         for i, j in pairs:
             a, b = self.bodies[i], self.bodies[j]
             if a.shape.kind == b.shape.kind == "surface":
@@ -233,17 +257,18 @@ class World:
             for p in placed_parts(f, a.shape, a.x, a.axes):
                 for q in placed_parts(f, b.shape, b.x, b.axes):
                     if "surface" in (p.shape.kind, q.shape.kind):
-                        self.touch_surface((i, j, p.number or q.number), p, q, d, old, margin_raw,
-                                           margin)
+                        self.touch_surface(found, (i, j, p.number or q.number), p, q, d, old,
+                                           margin_raw, margin)
                         continue
                     numbers = (p.number, q.number) if p.part else (q.number, 0)
-                    found = manifold(p.shape, q.shape, *self.pose(p, q)[1:], margin)
-                    if p.part and found[1]:
-                        found = out_of_part(f, p.part, *found)
+                    touch = manifold(p.shape, q.shape, *self.pose(p, q)[1:], margin)
+                    if p.part and touch[1]:
+                        touch = out_of_part(f, p.part, *touch)
                     key = (i, j, *numbers)
-                    self.add_contact(key, (p.part, q.part), d, found, old.get(key))
+                    self.add_contact(found, key, (p.part, q.part), d, touch, old.get(key))
+        return found
 
-    def touch_surface(self, numbers, p, q, d, old, margin_raw, margin):
+    def touch_surface(self, contacts, numbers, p, q, d, old, margin_raw, margin):
         a, b = self.bodies[numbers[0]], self.bodies[numbers[1]]
         ground, other = (p, q) if p.shape.kind == "surface" else (q, p)
         found = terrain.contacts(self.f, ground.shape, other.shape, *self.pose(ground, other)[1:],
@@ -257,7 +282,7 @@ class World:
             if ground is q:
                 n = [ratio.near(-x, 60) for x in combine(n, r)]
                 points = [(placed(t, x, r), s, name) for x, s, name in points]
-            self.add_contact((*numbers, c.facet.index), (p.part, q.part), d, (n, points),
+            self.add_contact(contacts, (*numbers, c.facet.index), (p.part, q.part), d, (n, points),
                              terrain.last_of(found, c, parts))
 
     def pose(self, a, b):
@@ -268,12 +293,12 @@ class World:
         r = [[ratio.near(dot(u, v), 60) for u in a.axes] for v in b.axes]
         return d, r, t
 
-    def add_contact(self, key, parts, offset, found, last):
+    def add_contact(self, contacts, key, parts, offset, found, last):
         normal, points = found
         if not points:
             return
         a, b = self.bodies[key[0]], self.bodies[key[1]]
-        c = self.contacts[key] = Contact(self.n)
+        c = contacts[key] = Contact(self.n)
         c.offset, c.normal, c.points = offset, normal, points
         c.count, c.feature = len(points), [p[2] for p in points]
         pressures = dict(zip(last.feature, last.pressure)) if last else {}
@@ -376,3 +401,5 @@ class World:
         for i, j in enumerate(self.joints):
             if j:
                 yield " ".join(map(str, ["joint", i, j.a, j.b, *j.push, *j.turn]))
+        for a, b, of_a, of_b, _, begins in self.touch_events:
+            yield " ".join(map(str, ["event", a, b, of_a, of_b, begins]))
