@@ -119,6 +119,12 @@ class TouchWitness {
   /// That they are on it, and that all others lie behind it, are inequalities linear in time.
   [[nodiscard]] constexpr std::optional<Feature> feature_from(const S& time) const noexcept {
     const Feature feature = found();
+    if constexpr (dimension == 2) {
+      if (feature.is_facet()) {
+        if (!stays_on_edge(feature, time)) return std::nullopt;
+        return feature;
+      }
+    }
     if (!holds_closest(feature, time)) return std::nullopt;
     if (!holds_closest(feature, after(time))) return std::nullopt;
     return feature;
@@ -248,6 +254,33 @@ class TouchWitness {
       if (const auto holds = is_closest_on_box(feature, time)) return *holds;
     }
     return with_closest(feature, time, [](const auto&, const auto&) { return true; });
+  }
+
+  /// `holds_closest` for an edge in the plane, at `time` and the next time on the grid: each
+  /// inequality compares a product of the edge and a corner with one of the edge, the way and a time.
+  [[nodiscard]] constexpr bool stays_on_edge(const Feature& feature, const S& time) const noexcept {
+    const auto simplex = feature.simplex();
+    const Corner& corner = simplex.newest();
+    return by_width<61>(
+        [&](const auto& edge, const auto& from, const auto& to, const auto& normal) {
+          const auto speed = dot(edge, way_), sinking = dot(normal, way_);
+          const auto first = dot(edge, from), last = dot(edge, to), height = dot(normal, from);
+          const auto is_least_along = [&](const auto& v) {
+            const auto least = least_along(v);
+            return least == corner || !(dot(v, least) < dot(v, corner));
+          };
+          int side = 0;
+          for (const S& t : std::array{time, after(time)}) {
+            const auto moved_by = speed * t;
+            if (first > moved_by || last < moved_by) return false;
+            const int now = height < sinking * t ? -1 : 1;
+            if (now == side) continue;
+            side = now;
+            if (!is_least_along(side < 0 ? Vec(-normal) : normal)) return false;
+          }
+          return true;
+        },
+        simplex[0] - corner, corner, simplex[0], facet_normal(simplex));
   }
 
   /// The same for a point and a corner, an edge or half a face of a box: the inequalities are those
