@@ -97,3 +97,21 @@ TEST_CASE("short_quotient: agrees with the long division for quotients below 2^3
     }
   }
 }
+
+TEMPLATE_TEST_CASE("short_quotient: agrees with the long division of wide integers", "[number]",
+                   Int128, Wide<3>, Wide<4>, Wide<5>) {
+  using I = TestType;
+  Random random(20261127);
+  INFO(random);
+  for (int i = 0; i < 20000; ++i) {
+    const auto digits = random_digits<I>(random);
+    const I magnitude = is_negative(digits) ? wrapping_subtract<I>(I(-1), digits) : digits;
+    const I denominator = shift_right_floor(magnitude, 33);
+    if (denominator == I(0)) continue;
+    const auto quotient = static_cast<std::int64_t>(random.next() >> (32 + random.below(32)));
+    const auto first = wrapping_multiply<I>(denominator, quotient);
+    const auto last = wrapping_subtract<I>(wrapping_add<I>(first, denominator), I(1));
+    CHECK(short_quotient(first, denominator) == quotient);
+    CHECK(short_quotient(last, denominator) == quotient);
+  }
+}

@@ -135,6 +135,18 @@ constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
   return {Wide<2>::from_words({quotient, 0}), Wide<2>::from_words({rest0, rest1})};
 }
 
+/// The low word of x / 2^dropped, for x >= 0.
+template <class Int>
+[[nodiscard]] constexpr std::uint64_t word_above(const Int& x, int dropped) noexcept {
+  if constexpr (is_wide<Int>) {
+    const int at = dropped / 64, bits = dropped % 64;
+    const std::uint64_t low = x.word(at) >> bits;
+    return bits == 0 || at + 1 == words_of<Int> ? low : low | (x.word(at + 1) << (64 - bits));
+  } else {
+    return integer_cast<std::uint64_t>(shift_right_floor(x, dropped));
+  }
+}
+
 }  // namespace detail
 
 /// floor(numerator / denominator) and the remainder; `denominator` > 0.
@@ -189,15 +201,10 @@ template <class N, class D>
                                                     const D& denominator) noexcept {
   if constexpr (value_bits<N> <= 63) {
     return integer_cast<std::int64_t>(numerator) / integer_cast<std::int64_t>(denominator);
-  } else if constexpr (value_bits < N >> 127) {
-    return integer_cast<std::int64_t>(
-        divide_floor(numerator, integer_cast<N>(denominator)).quotient);
   } else {
-    const auto leading = [](const auto& x, int dropped) {
-      return integer_cast<std::uint64_t>(shift_right_floor(x, dropped));
-    };
     const int dropped = (std::max)(positive_bit_length(denominator) - 32, 0);
-    const std::uint64_t n = leading(numerator, dropped), d = leading(denominator, dropped);
+    const std::uint64_t n = detail::word_above(numerator, dropped);
+    const std::uint64_t d = detail::word_above(denominator, dropped);
     if (dropped == 0) return static_cast<std::int64_t>(n / d);
     std::uint64_t first = n >> 32, left = n & 0xffffffff;  // divided by 2^32
     if (d != 0xffffffff) {

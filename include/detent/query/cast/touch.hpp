@@ -76,7 +76,7 @@ template <bool WithNormal, bool HasFilter, class A, class B, class Way, class To
 [[nodiscard]] constexpr std::optional<Touch<S, N>> touch_of_polytopes(
     const A& a, const B& b, const Way& way, const ToWorld& to_world,
     const Direction<S, N>& direction, const S& limit) noexcept {
-  if (!boxes_within(a, b, way, S(0), limit)) return std::nullopt;
+  if (clip_of_boxes(a, b, way, S(0), limit).is_empty()) return std::nullopt;
   if (is_zero(make_vec<N>([&](int i) { return way[i]; }))) {  // in a frame whose axes are parallel
     if (!bodies_overlap(a, b)) return std::nullopt;
     return Touch<S, N>{S(0), std::nullopt};

@@ -119,6 +119,12 @@ class TouchWitness {
   /// That they are on it, and that all others lie behind it, are inequalities linear in time.
   [[nodiscard]] constexpr std::optional<Feature> feature_from(const S& time) const noexcept {
     const Feature feature = found();
+    if constexpr (dimension == 2) {
+      if (feature.is_facet()) {
+        if (!stays_on_edge(feature, time)) return std::nullopt;
+        return feature;
+      }
+    }
     if (!holds_closest(feature, time)) return std::nullopt;
     if (!holds_closest(feature, after(time))) return std::nullopt;
     return feature;
@@ -144,13 +150,14 @@ class TouchWitness {
   [[nodiscard]] constexpr std::optional<Vec<S, dimension>> closest_point(const S& time) noexcept {
     std::optional<Vec<S, dimension>> result;
     if (!find_feature(time)) return result;
-    const bool is_found = with_closest(found(), time, [&](const auto& v, const auto& p) {
+    const bool is_found = with_closest(found(), time, [&](const auto& v, const auto& point) {
       constexpr int bits = bits_of<std::remove_cvref_t<decltype(a_.some().x)>> + 1;
       const auto foot = a_.template extreme<bits>(v, a_.some(), true);
       bool is_only = true;
       a_.template for_each_extreme<bits>(
           v, a_.some(), true, [&](const auto& corner) { is_only = is_only && corner == foot; });
       if (!is_only) return false;
+      const auto p = point();
       result = rounded<S>(RationalPoint{(way_ * time + foot) * p.under + p.over, p.under});
       return true;
     });
@@ -199,8 +206,8 @@ class TouchWitness {
            a_.template extreme<bits_a>(v, a_.some(), true);
   }
 
-  /// Calls f(v, p) if the closest difference at `time` lies in a feature: it is the rational point
-  /// p, along v. Returns whether it does and f returns true.
+  /// Calls f(v, point) if the closest difference at `time` lies in a feature: it is the rational
+  /// point `point()`, along v. Returns whether it does and f returns true.
   template <class F>
   [[nodiscard]] constexpr bool with_closest(const Feature& feature, const S& time,
                                             const F& f) const noexcept {
@@ -212,7 +219,8 @@ class TouchWitness {
       return least == corner || !(dot(v, least) < dot(v, corner));
     };
     if (feature.count == 1) {
-      return is_least_along(place) && f(place, RationalPoint{place * Rough(1), Rough(1)});
+      const auto point = [&] { return RationalPoint{place * Rough(1), Rough(1)}; };
+      return is_least_along(place) && f(place, point);
     }
     if (feature.count == 2) {
       const auto edge = simplex[0] - corner;
@@ -221,7 +229,7 @@ class TouchWitness {
       if constexpr (dimension == 3) {
         const auto whole = squared_length(edge);
         const auto v = place * whole - edge * along;
-        return is_least_along(v) && f(v, RationalPoint{v, whole});
+        return is_least_along(v) && f(v, [&] { return RationalPoint{v, whole}; });
       }
     }
     const auto normal = facet_normal(simplex);
@@ -234,14 +242,45 @@ class TouchWitness {
     }
     const auto height = dot(normal, place);
     const auto outward = height < 0 ? Vec(-normal) : normal;
-    return is_least_along(outward) &&
-           f(outward, RationalPoint{normal * height, squared_length(normal)});
+    const auto point = [&] { return RationalPoint{normal * height, squared_length(normal)}; };
+    if constexpr (dimension == 2) {
+      return by_width<61>(is_least_along, outward) && f(outward, point);
+    } else {
+      return is_least_along(outward) && f(outward, point);
+    }
   }
   [[nodiscard]] constexpr bool holds_closest(const Feature& feature, const S& time) const noexcept {
     if constexpr (dimension == 3 && is_point<A> && is_aligned_box<B>) {
       if (const auto holds = is_closest_on_box(feature, time)) return *holds;
     }
     return with_closest(feature, time, [](const auto&, const auto&) { return true; });
+  }
+
+  /// `holds_closest` for an edge in the plane, at `time` and the next time on the grid: each
+  /// inequality compares a product of the edge and a corner with one of the edge, the way and a time.
+  [[nodiscard]] constexpr bool stays_on_edge(const Feature& feature, const S& time) const noexcept {
+    const auto simplex = feature.simplex();
+    const Corner& corner = simplex.newest();
+    return by_width<61>(
+        [&](const auto& edge, const auto& from, const auto& to, const auto& normal) {
+          const auto speed = dot(edge, way_), sinking = dot(normal, way_);
+          const auto first = dot(edge, from), last = dot(edge, to), height = dot(normal, from);
+          const auto is_least_along = [&](const auto& v) {
+            const auto least = least_along(v);
+            return least == corner || !(dot(v, least) < dot(v, corner));
+          };
+          int side = 0;
+          for (const S& t : std::array{time, after(time)}) {
+            const auto moved_by = speed * t;
+            if (first > moved_by || last < moved_by) return false;
+            const int now = height < sinking * t ? -1 : 1;
+            if (now == side) continue;
+            side = now;
+            if (!is_least_along(side < 0 ? Vec(-normal) : normal)) return false;
+          }
+          return true;
+        },
+        simplex[0] - corner, corner, simplex[0], facet_normal(simplex));
   }
 
   /// The same for a point and a corner, an edge or half a face of a box: the inequalities are those
