@@ -26,7 +26,7 @@ struct Game {
   Field field;
   std::array<ObjectId, 2> players;
   std::array<int, 2> points = {};
-    int it = 0;    // the player who has to catch the other
+  int it = 0;    // the player who has to catch the other
   int rest = 0;  // frames until a touch counts again
 };
 template <class F>
