@@ -857,7 +857,7 @@ class Tick {
       if (bodies[i].is_held()) detail::hold_back(supports_[i], bodies[i]);
     }
   }
-    /// Sets them to the current poses.
+  /// Sets them to the current poses.
   constexpr void let_go(const Bodies& bodies) noexcept {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (bodies[i].is_held()) detail::let_go(supports_[i], bodies[i]);
