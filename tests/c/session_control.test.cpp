@@ -140,8 +140,8 @@ void check_control() {
   CHECK(C::session_pause(nullptr, first, 1) == DETENT_BAD_CONTEXT);
 }
 
-TEST_CASE("C sessions: peers pause, go on and drop one another, in 2D") { check_control<2>(); }
-TEST_CASE("C sessions: peers pause, go on and drop one another, in 3D") { check_control<3>(); }
+TEST_CASE("C sessions: peers pause, resume and drop one another, in 2D") { check_control<2>(); }
+TEST_CASE("C sessions: peers pause, resume and drop one another, in 3D") { check_control<3>(); }
 
 template <int N>
 void check_defaults() {

@@ -426,8 +426,8 @@ TEST_CASE(
   CHECK(throw_at(-32700.25, 32700.5, -32700.0625) == here);
 }
 
-TEST_CASE("settling: what is at rest stays bit by bit, for 1,000 ticks") { check_all_stay(1000); }
-TEST_CASE("settling: what is at rest stays bit by bit, for 10,000 ticks", "[.demand]") {
+TEST_CASE("settling: scenes at rest keep every bit for 1,000 ticks") { check_all_stay(1000); }
+TEST_CASE("settling: scenes at rest keep every bit for 10,000 ticks", "[.demand]") {
   check_all_stay(10'000);
   Heap<q16_16> heap;
   check_stays(heap.world, 900, 10'000);
