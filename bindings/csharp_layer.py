@@ -61,7 +61,7 @@ def files(description, note):
         result = 'IntPtr' if function.result == 'const char*' else type_of(function.result)
         lines += ['', '  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]',
                   f'  public static extern {result} {function.name}({", ".join(arguments)});']
-    lines += ['', '  /// <summary>Throws if a structure has not the size that it has in C.</summary>',
+    lines += ['', '  /// <summary>Throws if a structure does not have the same size as in C.</summary>',
               '  public static void CheckSizes() {']
     for struct in description.structs.values():
         if not struct.has_pointers:

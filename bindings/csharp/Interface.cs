@@ -1643,7 +1643,7 @@ public static unsafe class C {
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_scene3_frustum_all(ContextMemory* context, uint scene, Frustum3* frustum, uint layers, Found* found, uint room, uint* count);
 
-  /// <summary>Throws if a structure has not the size that it has in C.</summary>
+  /// <summary>Throws if a structure does not have the same size as in C.</summary>
   public static void CheckSizes() {
     if (sizeof(Id) != 8) throw new TypeLoadException("detent_id");
     if (sizeof(Pair) != 16) throw new TypeLoadException("detent_pair");

@@ -22,7 +22,7 @@ struct Throw {
   Colour colour{};
 };
 
-/// What throws touch first, computed by the library's `cast` in one scalar.
+/// The first contact of each throw, computed by the library's `cast` in one scalar.
 struct CastReport {
   /// The distance of each; nothing for a miss.
   std::vector<std::optional<double>> distances;

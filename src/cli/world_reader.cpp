@@ -146,7 +146,7 @@ class WorldReader : private JsonFields {
     return body;
   }
 
-  /// What a body that is no compound has, or each part of a compound.
+  /// The material: of a body, or of each part of a compound.
   template <class Model>
   void read_material(const JsonNode& node, Model& model) const {
     model.density = maybe_positive(node, "density");
@@ -197,8 +197,8 @@ class WorldReader : private JsonFields {
         [&](const Keys& keys) { allow(keys, {}); });
   }
 
-  /// A shape that can be a part of a compound; `allow(keys)` refuses other keys than those of the
-  /// shape and of what has it.
+  /// A shape that can be a part of a compound. `allow(keys)` refuses every key that is neither one
+  /// of the shape's nor one of the object that holds the shape.
   template <class Model, class Allow>
   Model solid_form(const JsonNode& node, const JsonNode& type, const std::string& known,
                    const Allow& allow) const {

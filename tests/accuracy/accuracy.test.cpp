@@ -61,7 +61,7 @@ TEST_CASE("accuracy: fixed-point answers are exact on every rung of every query"
   }
 }
 
-TEST_CASE("accuracy: far away, float is no better than a coin, even for its own numbers") {
+TEST_CASE("accuracy: far away, float is no better than a coin toss, even for its own numbers") {
   const Query& query = query_named("raycast/sphere");
   const auto wrong_at = [&](const std::string& distance, const char* scalar, Inputs inputs) {
     const auto result = survey(query, rung_named(Ladder::distance, distance), 1000, seed);

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Calls the C interface for every query and shape that C++ has: the cells of README's query matrix, which
-a test keeps true, times of impact, and the questions of scenes. What C has not, docs/bindings.md names in
-its table "not in C", and it names nothing else that the tables or headers of queries have. Every function
-of the C interface is called by a test."""
+"""Calls the C interface for every query and shape that C++ has: the cells of README's query matrix (another
+test compares that table with the code), times of impact, and the queries of scenes. The table "not in C" of
+docs/bindings.md must list exactly the queries that C lacks. Also checks that a test calls every function of the
+C interface."""
 import ctypes
 import os
 import re
@@ -123,7 +123,7 @@ for query, shapes in cells():
     checked.add(query)
     name = f'{query} of {" and ".join(shapes)}'
     if query in excepted:
-        wrong.append(f'{query} is in a table of README, and docs/bindings.md says that C has it not')
+        wrong.append(f'{query} is in a table of README, but docs/bindings.md lists it as missing from C')
     elif not is_answered(query, *shapes):
         wrong.append(f'C does not answer: {name}')
 
@@ -133,9 +133,9 @@ for header in sorted(os.listdir('include/detent/query')):
     if header == name or name in checked or name in ('query', 'wrong_call'):
         continue
     if (f'detent_{name}3' in functions) == (name in excepted):
-        wrong.append(f'{header}: C has it, or docs/bindings.md names `{name}` as missing')
+        wrong.append(f'{header}: docs/bindings.md must list `{name}` as missing from C exactly if it is')
 
-# The regions of scene queries: `reference` takes them by name, and round shapes, which have a core.
+# The regions of scene queries: those that an overload of `reference` names, and the round shapes: they have a `core`.
 scene = context.scene3()
 questions = read('include/detent/scene/question.hpp')
 regions = set(re.findall(r'reference\(const (\w+)<S(?:, N)?>&', questions))

@@ -102,7 +102,7 @@ std::vector<detent_status> ask(detent_context* context, detent_handle handle) {
           detent_world3_size(context, handle, &size)};
 }
 
-TEST_CASE("C handles: each is valid only for its own type, and no more once it is stale") {
+TEST_CASE("C handles: each is valid only for its own type, and no longer once it is stale") {
   detent_context context{};
   REQUIRE(detent_open(&context, nullptr) == DETENT_OK);
   std::vector<detent_handle> made;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a game does with a session of the C interface next to playing: it pauses, goes on, and drops a
-// peer. Versions and defaults are those of C++.
+// What a game does with a session of the C interface besides playing: it pauses, resumes and drops
+// a peer. Versions and defaults are those of C++.
 
 #include <array>
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace {
 using detent::c::Types;
 using detent::test_c::Calls;
 
-/// Two peers in one context, whose packets come in the next tick; or do not come.
+/// Two peers in one context, whose packets arrive in the next tick, or never.
 template <int N>
 struct Peers {
   using C = Calls<N>;
@@ -106,7 +106,7 @@ void check_control() {
   Peers<N> peers;
   auto* const context = &peers.context;
   const auto [first, second] = peers.sessions;
-  CHECK(C::session_is_awaited(context, first, 1) == DETENT_OK);  // nothing came from it
+  CHECK(C::session_is_awaited(context, first, 1) == DETENT_OK);  // nothing has arrived from it
   peers.ticks(60);
   CHECK(C::session_is_awaited(context, first, 1) == DETENT_NO);
   std::uint32_t matched = 0;
@@ -140,8 +140,8 @@ void check_control() {
   CHECK(C::session_pause(nullptr, first, 1) == DETENT_BAD_CONTEXT);
 }
 
-TEST_CASE("C sessions: peers pause, go on and drop one another, in 2D") { check_control<2>(); }
-TEST_CASE("C sessions: peers pause, go on and drop one another, in 3D") { check_control<3>(); }
+TEST_CASE("C sessions: peers pause, resume and drop one another, in 2D") { check_control<2>(); }
+TEST_CASE("C sessions: peers pause, resume and drop one another, in 3D") { check_control<3>(); }
 
 template <int N>
 void check_defaults() {

@@ -56,9 +56,9 @@ def made(context):
 
 
 def call(function, context, handle, null=None):
-    """The function with this context (a pointer or None) and this for its handles. Pointers are to zeros
-    but the one called `null`; counts are 1, other numbers 0. Lists of shapes are hulls, which are in a
-    context; without hulls it may be null."""
+    """Calls the function with this context (a pointer or None) and `handle` for each handle. The pointer named
+    `null` is null, all others point to zeros; counts are 1, other numbers 0. Where the function takes hulls,
+    its shapes are hulls: they belong to a context. With other shapes the context may be null."""
     kind_of_shapes = c.DETENT_HULL if function.name in takes_hulls else c.DETENT_SPHERE
     arguments = []
     for one in function.arguments:

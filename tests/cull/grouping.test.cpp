@@ -50,7 +50,7 @@ TEMPLATE_TEST_CASE_SIG("grouping: a box goes where the area grows least", "", ((
   }
 }
 
-TEST_CASE("grouping: a list is parted at any place") {
+TEST_CASE("grouping: a list is partitioned at any position") {
   using Part = detail::CenteredPlace<q16_16, 3>;
   Random random(0x9a27);
   for (int i = 0; i < 3'000; ++i) {

@@ -17,7 +17,7 @@ using S = q16_16;
 
 }  // namespace
 
-TEST_CASE("follow: a body put back under its id may move in another way") {
+TEST_CASE("follow: a body put back under its id may have another motion") {
   World<S, 2, Sphere, Obb> world;
   SceneOf<decltype(world)> scene;
   const BodyId id{3, 5};
@@ -42,7 +42,7 @@ TEST_CASE("follow: a body put back under its id may move in another way") {
   CHECK(scene.size() == 0);
 }
 
-TEST_CASE("follow: removes what is no body, and leaves nothing of a cleared world") {
+TEST_CASE("follow: removes objects that are not bodies, and all objects of a cleared world") {
   World<S, 2, Sphere> world;
   world.add(Sphere<S, 2>{{}, S(1)});
   Scene<S, 2, Sphere, Capsule> scene;  // it may name more

@@ -93,7 +93,7 @@ TEST_CASE("hold: a body is held until it has moved or turned too far") {
   CHECK(!detail::WorldAccess::bodies(falling.world)[falling.top.index].is_held());
 }
 
-TEST_CASE("hold: bodies that come slowly are met in time") {
+TEST_CASE("hold: contacts of slowly approaching bodies are found in time") {
   // The box slides to a wall at less than the distance a tick, so that it is held all the way.
   for (const double hold_distance : {0.0, 0.5}) {
     Scene<q16_16, 2> scene(4, 0, hold_distance);

@@ -93,7 +93,7 @@ Rollers<S, N> heap(double resistance, double of_floor = 0) {
 
 }  // namespace
 
-TEST_CASE("rolling: a ball stops after the way that its resistance says") {
+TEST_CASE("rolling: a ball stops after the distance that its resistance gives") {
   // The torque R r m g slows by R g / (1 + k^2 / r^2) a second.
   const auto check = [](const Way& way, double inertia) {
     const double slowing = 0.05 * 10 / (1 + inertia);
@@ -144,7 +144,7 @@ TEST_CASE("rolling: a ball stays on a slope that is less steep than its resistan
   CHECK(moved(0.11, 0.1) > 1);
 }
 
-TEST_CASE("rolling: of two bodies the greater resistance counts, and the lesser radius") {
+TEST_CASE("rolling: the greater resistance and the lesser radius of two bodies count") {
   using S = q16_16;
   using Body = detail::BodyRecord<S, 3, detail::OneOf<Sphere<S, 3>, Capsule<S, 3>, Obb<S, 3>>>;
   const auto body = [](const auto& shape, double resistance) {
@@ -173,7 +173,7 @@ TEST_CASE("rolling: of two bodies the greater resistance counts, and the lesser 
   check(point, small, 1, 0);
 }
 
-TEST_CASE("rolling: a pass takes no energy of turning that there is not") {
+TEST_CASE("rolling: a pass removes no more rotational energy than there is") {
   // A long capsule at an angle, whose inertia mixes the axes, on another one.
   using S = q16_16;
   for (int k = 0; k < 40; ++k) {
@@ -218,7 +218,7 @@ TEST_CASE("rolling: a pass takes no energy of turning that there is not") {
   }
 }
 
-TEST_CASE("rolling: parts of compounds have their own") {
+TEST_CASE("rolling: parts of compounds have their own resistance") {
   using S = q16_16;
   const auto rolled = [](double resistance) {
     Rollers<S, 2> world(restless<S, 2>());
@@ -240,7 +240,7 @@ TEST_CASE("rolling: parts of compounds have their own") {
   CHECK(rolled(0.1) < 4);
 }
 
-TEST_CASE("rolling: the digest of a compound without it is that of before") {
+TEST_CASE("rolling: a compound without it keeps its earlier digest") {
   using S = q16_16;
   PartOptions<S> options, sensor;
   sensor.is_sensor = true;
@@ -293,7 +293,7 @@ TEMPLATE_TEST_CASE("rolling: a world restores bit by bit, and its impulses are s
   exam(std::integral_constant<int, 3>());
 }
 
-TEST_CASE("rolling: a snapshot has no bytes of it where there is none") {
+TEST_CASE("rolling: a snapshot has no bytes for it without resistance") {
   using S = q16_16;
   const auto size = [](double ball, double floor) {
     Rollers<S, 3> world;
@@ -334,7 +334,7 @@ TEST_CASE("rolling: every accepted snapshot is canonical") {
   CHECK(accepted > 200);
 }
 
-TEST_CASE("rolling: a difference names resistance and impulse") {
+TEST_CASE("rolling: a difference names the resistance and the impulse") {
   auto world = heap<q16_16, 2>(0.1);
   step(world, 60);
   auto other = world;
@@ -352,7 +352,7 @@ TEST_CASE("rolling: a difference names resistance and impulse") {
                                           "contact 0:1 1:2 rolling[0]"});
 }
 
-TEST_CASE("rolling: threads and a world within its own memory have the same bits") {
+TEST_CASE("rolling: threads and a bounded world have the same bits") {
   auto world = heap<q16_16, 3>(0.1), other = world;
   const auto backward = [](std::size_t count, const auto& f) {
     for (std::size_t i = count; i-- > 0;) f(i);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Large scenes that come to rest, in q16_16 and in double, with golden digests, and what is at rest
-// and stays: figures of docs/dynamics.md, "How well it stands".
+// Large scenes that come to rest, in q16_16 and in double, with golden digests, and scenes that
+// then keep every bit: the figures of docs/dynamics.md, "Stability".
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -20,7 +20,7 @@
 namespace detent::test {
 namespace {
 
-/// The kinetic energy of turning, over the mass: half of w K w, with K in the frame of the body.
+/// The rotational energy over the mass: half of w K w, with K in the frame of the body.
 template <class Body>
 double turning_of(const Body& body, const std::array<double, 3>& spin) {
   // Bodies have the inverse of K: this is its inverse, by cofactors.
@@ -92,7 +92,7 @@ class Heap {
                                                         Angle<S>::from_radians(num<S>(near(0, 3))));
       const double size = near(0.3, 0.08);
       if (i % 4 == 0) {
-        // Not as arguments: compilers evaluate those in different orders.
+        // Drawn before the call: compilers evaluate arguments in different orders.
         const double depth = near(0.3, 0.1), height = near(0.3, 0.1);
         (void)world.add(Obb<S, 3>{point<S>(x, y, z), point<S>(size, height, depth), turn}, options);
       } else if (i % 4 == 1) {
@@ -284,8 +284,8 @@ Drive drive() {
   return drive;
 }
 
-/// Steps a world until all bodies sleep, and then: they keep every bit. A body apart from them turns,
-/// so that ticks are not left out.
+/// Steps a world until all bodies sleep, and then checks that they keep every bit. A separate body
+/// keeps turning, so that no tick is skipped.
 template <class World>
 void check_stays(World world, int warm, int ticks) {
   constexpr int N = World::dimension;
@@ -322,8 +322,8 @@ void check_all_stay(int ticks) {
   check_stays(heavy_top<S, 3>(100, 8, 0.05).world, 250, ticks);
 }
 
-/// A ball that is thrown at a stack, around this point of the world: the digest of all ticks' states
-/// with places from there.
+/// Throws a ball at a stack around this point of the world. Returns the digest of all ticks'
+/// states, with positions relative to the point.
 std::uint64_t throw_at(double x, double y, double z) {
   using S = q16_16;
   World<S, 3, Sphere, Obb> world;
@@ -426,8 +426,8 @@ TEST_CASE(
   CHECK(throw_at(-32700.25, 32700.5, -32700.0625) == here);
 }
 
-TEST_CASE("settling: what is at rest stays bit by bit, for 1,000 ticks") { check_all_stay(1000); }
-TEST_CASE("settling: what is at rest stays bit by bit, for 10,000 ticks", "[.demand]") {
+TEST_CASE("settling: scenes at rest keep every bit for 1,000 ticks") { check_all_stay(1000); }
+TEST_CASE("settling: scenes at rest keep every bit for 10,000 ticks", "[.demand]") {
   check_all_stay(10'000);
   Heap<q16_16> heap;
   check_stays(heap.world, 900, 10'000);

@@ -36,8 +36,8 @@ struct Column {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("set_position: puts a body elsewhere and keeps all but its place", "", Dim<2>,
-                   Dim<3>) {
+TEMPLATE_TEST_CASE("set_position: puts a body elsewhere and keeps everything but its position", "",
+                   Dim<2>, Dim<3>) {
   constexpr int N = TestType::value;
   World<S, N, Obb> world;
   BodyOptions<S, N> options{.velocity = at<S, N>(1, 2)};
@@ -100,7 +100,7 @@ TEMPLATE_TEST_CASE("set_position: wakes what touched the body, which then falls"
   CHECK(abs(world.position(column.boxes[0]).x - S(8)) < num<S>(0.01));
 }
 
-TEMPLATE_TEST_CASE("set_position: taking a fixed body away wakes what lay on it", "", Dim<2>,
+TEMPLATE_TEST_CASE("set_position: moving a fixed body away wakes what lay on it", "", Dim<2>,
                    Dim<3>) {
   constexpr int N = TestType::value;
   Column<N> column;

@@ -16,7 +16,7 @@ struct Figures {
 };
 
 /// A match of two with a round trip of 200 ms, 10 ms of jitter, every tenth packet lost and 60
-/// frames per second. Clocks differ by 100 ppm; inputs change every eighth frame.
+/// frames per second. Clocks differ by 120 ppm; inputs change every eighth frame.
 Figures play_long(std::uint32_t frames, std::uint32_t delay, std::uint32_t prediction,
                   std::uint64_t loss) {
   SessionConfig config;

@@ -386,7 +386,6 @@ TEMPLATE_TEST_CASE("Fixed: a double becomes the nearest number", "[number]", q8_
     if (!random.one_in(4)) {
       // In the range of F: values with few bits are often ties, those with many bits are next to
       // one.
-      // one.
       const double step = std::ldexp(1.0, -F::frac - 1);
       value = static_cast<double>(random.wide(F::bits < 53 ? F::bits + 2 : 62)) * step;
       if (random.coin()) value = std::nextafter(value, random.coin() ? 1e300 : -1e300);

@@ -113,9 +113,9 @@ Integer extent(const Shape& shape) {
   return sum;
 }
 
-/// Whether the points of a contact are points of a, and b is as deep there as they say, within the
-/// bound of their docstring. One is as deep as the contact, exactly so if the shapes are too short
-/// for the rounding of the normal to change a depth: it is off by half a step per component.
+/// Whether the points of a contact are points of a, and the depth of b there is what they report,
+/// within the bound of their docstring. One must be as deep as the contact: exactly, if the shapes
+/// are so short that the rounding of the normal, half a step per component, changes no depth.
 template <Scalar S, int N, class A, class B>
 bool has_right_points(const A& a, const B& b, const Contact<S, N>& found) {
   if (found.count == 0) return false;

@@ -6,7 +6,6 @@
 /// Whether a shape is within a distance of a segment. Each shape has finitely many candidates that
 /// include the closest point, and each candidate is tested by the definition of distance. No
 /// regions and no reasoning about the location of the closest point are needed.
-/// regions, no reasoning about where the closest point is.
 namespace detent::oracle {
 
 template <int N>

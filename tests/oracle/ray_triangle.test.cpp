@@ -169,7 +169,7 @@ Raw<2> near_tie(test::Random& random, int frac, std::int64_t limit) {
   return {next[1], next[0]};
 }
 
-TEMPLATE_TEST_CASE("ray against triangle: normals halfway between two are rounded rightly",
+TEMPLATE_TEST_CASE("ray against triangle: normals halfway between two are rounded correctly",
                    "[oracle]", q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
   using Plane = Draw<S, 2>;

@@ -123,7 +123,8 @@ TEST_CASE("placed field: out of range it is clamped, and queries still work", "[
   CHECK(raycast(down, field) == S::from_raw(131071));
   CHECK(intersects(Segment{down.origin, corner}, field));
   CHECK(overlaps(field, Sphere{corner, S(0)}));
-  // All samples are clamped to the end of the range; none is there when the query is moved back.
+  // Every sample is clamped to the end of the range. There, a query moved into the field's own frame
+  // is at x = 0, where the field, which spans x from 4 to 8, has no sample.
   const FieldAsset flattened(1,
                              *height_field<S>({S(4), S(0)}, S(4), 2, 2, std::span(hills).first(4)));
   const Field wall{&flattened, {largest<S>, S(0), S(0)}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Counts what a frustum keeps and culls in a town, compared with the exact frustum of the camera,
-// whose corners are not rounded. docs/scene.md shows these counts.
+// whose corners are not rounded. docs/camera.md shows these counts.
 
 #include "detent/shape/frustum.hpp"
 

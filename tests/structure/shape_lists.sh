@@ -32,7 +32,7 @@ bullets() {
 changing=$(bullets 1)
 others=$(bullets 2)
 
-# The section's count, and whether each file is rightly in it.
+# The section's count, and whether each file belongs in it.
 counted=$(wc -l <<<"$changing")
 written=$(tr '\n' ' ' <ARCHITECTURE.md | grep -oE '[0-9]+ files change' | cut -d ' ' -f 1)
 if [[ $counted -ne $written ]]; then

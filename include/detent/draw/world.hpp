@@ -27,7 +27,7 @@ struct ColourByState {
 };
 
 /// Draws every body of a world, in order of index, and every part of a compound, in the colour
-/// `colours(info, shape)`; the colours of scenes do, too. The world does not change.
+/// `colours(info, shape)`; the colour functions of scenes work, too. The world does not change.
 template <class Sink, class Storage, Scalar S, int N, class... Parts, class Colours = ColourByState>
 requires DrawSink<Sink, S, N>
 constexpr void draw(Sink& sink, const BasicWorld<Storage, S, N, Parts...>& world,

@@ -48,7 +48,7 @@ class BodyPart {
     mass_.center = mass_.mass > 0 ? center_of(shape) : Vec<Center, N>();
   }
 
-  /// The shape in its own frame: a hull's origin is its center of mass, other shapes' their middle.
+  /// The shape in its own frame: the origin is the center of mass of a hull, the middle of others.
   [[nodiscard]] constexpr const Shape& shape() const noexcept { return shape_; }
   [[nodiscard]] constexpr const PartOptions<S>& options() const noexcept { return options_; }
   /// The position of that frame in the compound's.
@@ -192,9 +192,9 @@ requires requires(const List& list) { std::span(list).front().mass(); }
 /// A body of several shapes: the parts of `asset`, rotated, then moved by `translation`. Worlds that
 /// hold such bodies list it and the shapes of the parts: `World<q16_16, 2, Obb, BodyCompound>`.
 ///
-/// The body's place is the parts' common center of mass. Density, friction and restitution are those
-/// of the parts. The caller owns the asset, which must outlive the world; a body without one has no
-/// mass and touches nothing.
+/// The body's position is the parts' common center of mass. Density, friction and restitution are
+/// those of the parts. The caller owns the asset, which must outlive the world; a body without one
+/// has no mass and touches nothing.
 template <Scalar S, int N>
 struct BodyCompound {
   const SolidCompound<S, N>* asset = nullptr;

@@ -83,8 +83,8 @@ template <class... Needed, class... Shapes>
 inline constexpr bool holds_all<ShapeList<Needed...>, Shapes...> = (Among<Needed, Shapes...> &&
                                                                     ...);
 
-/// The first index of objects for parts of compounds: the least power of two that is no index of a
-/// body, so that few additions change it.
+/// The first index of objects for parts of compounds: the least power of two that exceeds all
+/// indices of bodies, at most the world's capacity. Adding a body rarely changes it.
 template <class World>
 [[nodiscard]] constexpr std::size_t first_part_of(const World& world) noexcept {
   const auto& bodies = WorldAccess::bodies(world);
@@ -161,8 +161,8 @@ template <class World>
 using SceneOf = typename detail::SceneFor<World>::Type;
 
 /// Makes `scene` hold the shapes of the bodies of `world`, as `world.for_each` gives them, and
-/// nothing else. Call it after each step, or whenever queries are due. What did not move is only
-/// compared.
+/// nothing else. Call it after each step, or whenever queries are due. Shapes that have not moved
+/// are compared and not replaced.
 ///
 /// An object has the id of its body, its layers, its user word, and `Motion::fixed` if the body is
 /// fixed. A compound has an object for each part; `part_of` finds their bodies. `filter` selects
@@ -170,7 +170,7 @@ using SceneOf = typename detail::SceneFor<World>::Type;
 /// the scene.
 ///
 /// domain: scenes that name all shapes of `SceneOf<World>`; leave their contents to this function
-/// result: whether the scene had room; what has an index beyond its capacity is left out
+/// result: whether the scene had room; objects with an index beyond its capacity are left out
 /// exact:  answers and digests depend only on the present state of the world
 ///         (docs/dynamics.md, tests/dynamics/follow_zoo.test.cpp)
 template <class Room, class Storage, Scalar S, int N, class... Shapes, class... Parts,

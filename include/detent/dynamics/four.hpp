@@ -154,8 +154,9 @@ template <class L>
   const L whole = (L::product(q, b >> 31) << 31) + L::product(q, b & L(LongWord{0x7fffffff}));
   return nearest_to_quotient(q, (a << 30) - whole, b);
 }
-/// The effective mass of a row whose bodies give these: 1 / (1 + a + b), as `effective_mass`
-/// without locked axes. What `nearest_long` returns is below 2^50, so the sum is below 2^51.
+/// The effective mass of a row to which its bodies contribute a and b: 1 / (1 + a + b), as
+/// `effective_mass` without locked axes. What `nearest_long` returns is below 2^50, so the sum is
+/// below 2^51.
 template <class Ratio, class Give, class L>
 [[nodiscard]] Four<Ratio, L> mass_of(const Four<Give, L>& a, const Four<Give, L>& b) noexcept {
   static_assert(Ratio::frac == 30 && Give::frac == 30);

@@ -5,14 +5,14 @@
 
 // Held bodies (`WorldSettings::hold_distance`). A body is held at a pose while it moves and turns
 // little: its contacts have the normals, points and levers of that pose, and their separations
-// follow from the motion since then. A stack whose contacts followed each small lean would push
-// itself over once it is high enough, since contacts are springs: at 4 substeps 16 cubes are too
-// many, in double too (a column of stiffness k per contact and spacing 1 buckles under its own
-// weight at the height (7.84 k / 4 w)^(1/3): A. G. Greenhill, 1881).
+// follow from the motion since then. A stack whose contacts followed each small lean would buckle
+// once it is high enough, since contacts are springs: at 4 substeps 16 cubes are too many, in
+// double too (a column of stiffness k per contact and spacing 1 buckles under its own weight at the
+// height (7.84 k / 4 w)^(1/3): A. G. Greenhill, 1881).
 
 namespace detent::detail {
 
-/// Where a held body is held.
+/// Sets a support to the pose at which its body is held.
 template <Scalar S, int N, class Shape>
 constexpr void hold_back(Support<S, N>& support, const BodyRecord<S, N, Shape>& body) noexcept {
   using F = Formats<S>;
@@ -24,7 +24,7 @@ constexpr void hold_back(Support<S, N>& support, const BodyRecord<S, N, Shape>& 
   support.axes = axes_of<S, N>(turned<S, N>(body.state.orientation, back));
 }
 
-/// Where it is.
+/// Sets a support to the current pose of its body.
 template <Scalar S, int N, class Shape>
 constexpr void let_go(Support<S, N>& support, const BodyRecord<S, N, Shape>& body) noexcept {
   support.place = body.state.place;
@@ -41,7 +41,7 @@ template <Number T>
   return abs(v.x) + abs(v.y) + abs(v.z);
 }
 
-/// No point of the body is farther from where it is held than this, rounded to nearest.
+/// A bound, rounded to nearest, on how far any point of the body is from where it is held.
 template <Scalar S, int N, class Shape>
 [[nodiscard]] constexpr typename Formats<S>::Lever slack_of(
     const BodyRecord<S, N, Shape>& body) noexcept {
@@ -71,8 +71,8 @@ template <Scalar S, int N, class Shape>
   return pace.hold > 0;
 }
 
-/// Records how far an awake body has moved and turned since it was held; if that is too far, it is
-/// held where it is.
+/// Records how far an awake body has moved and turned since it was held; if that is too far, holds
+/// it at its current pose.
 template <Scalar S, int N, class Shape>
 constexpr void note_hold(BodyRecord<S, N, Shape>& body, const Moving<S, N>& moving,
                          const Pace<S, N>& pace) noexcept {

@@ -74,8 +74,8 @@ template <Scalar S, int N>
 /// A convex body: the points of `asset`, rotated, then moved by `translation`. Worlds that hold such
 /// bodies list it: `World<q16_16, 3, Sphere, BodyHull>`.
 ///
-/// The body's place is its center of mass. The caller owns the asset, which must outlive the world;
-/// a body without one has no mass and touches nothing.
+/// The body's position is its center of mass. The caller owns the asset, which must outlive the
+/// world; a body without one has no mass and touches nothing.
 template <Scalar S, int N>
 struct BodyHull {
   const SolidHull<S, N>* asset = nullptr;

@@ -46,8 +46,8 @@ template <Scalar S, int N>
   return pose;
 }
 
-/// Whether two hulls are surely more than the margin apart, because of the face of the first that the
-/// second is above; nothing is known of other shapes.
+/// Whether two hulls are surely more than the margin apart, because the second is above a face of
+/// the first; false for other shapes.
 template <class A, class B, Scalar S, int N>
 [[nodiscard]] constexpr bool is_surely_beyond(
     [[maybe_unused]] const Support<S, N>& support,

@@ -34,12 +34,12 @@
 //   (31); generation (4 bytes); place, orientation, velocity, spin: 72 bytes in 3D with Q16.16; if
 //   forces or torques act, their change of velocity and spin in each substep of the next tick; if it
 //   is held, how far it has moved and turned. Unless bit 29 is set, its properties follow: motion
-//   (1, plus 4 if the last item but one follows, plus 8 if the last does), layers, layers that it
-//   meets (4 each), user word (8), density, friction, restitution, damping of velocity and spin,
-//   shape type (1), the numbers of the shape (of a hull or a surface its id (4), its digest (8), and
-//   a translation and a rotation that do nothing); if one of them is not the default, locked axes
-//   (bits 0 to 5), sensor (bit 6) and fast (bit 7) in a byte, and the scale of gravity; rolling
-//   resistance if it is not 0;
+//   (1; plus 4 if the byte of locked axes follows, plus 8 if rolling resistance does), layers,
+//   layers that it meets (4 each), user word (8), density, friction, restitution, damping of
+//   velocity and spin, shape type (1), the numbers of the shape (of a hull or a surface its id (4),
+//   its digest (8), and a translation and a rotation that do nothing); if one of them is not the
+//   default, locked axes (bits 0 to 5), sensor (bit 6) and fast (bit 7) in a byte, and the scale of
+//   gravity; rolling resistance if it is not 0;
 // * each contact, in order of its bodies and its triangle: a word of the index of a (bits 0 to 19),
 //   the number of points (20 to 22), whether it touches (23) and the low bits of the triangle (24 to
 //   31); a word of the index of b (0 to 19) and the high bits of the triangle; if a body is a

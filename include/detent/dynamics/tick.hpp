@@ -725,9 +725,9 @@ class Tick {
 
   /// Assigns a colour to each awake contact: the greatest, up to 47 for two moving bodies and up to
   /// 62 for others, that no earlier contact of its bodies has, or the last colour if there is none.
-  /// So what cannot move has the last word, and a pile on the ground is solved towards the ground.
-  /// Except for the last colour, contacts of a colour share no body that can move. Returns where in
-  /// `ready_` each colour ends.
+  /// So contacts with bodies that cannot move are solved last, and no later contact of the pass
+  /// disturbs them. Except for the last colour, contacts of a colour share no body that can move.
+  /// Returns where in `ready_` each colour ends.
   constexpr ColourEnds order(const Bodies& bodies) {
     used_.clear();
     used_.resize(bodies.size());
@@ -934,12 +934,13 @@ class Tick {
     }
     ready.bounce = saturate_to<Ratio>((max)(restitution[0], restitution[1]));
   }
-  /// Moves the contacts of held bodies back, or to where they are.
+  /// Sets the supports of held bodies to the poses at which they are held.
   constexpr void hold_back(const Bodies& bodies) noexcept {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (bodies[i].is_held()) detail::hold_back(supports_[i], bodies[i]);
     }
   }
+  /// Sets them to the current poses.
   constexpr void let_go(const Bodies& bodies) noexcept {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (bodies[i].is_held()) detail::let_go(supports_[i], bodies[i]);
@@ -1216,7 +1217,7 @@ class Tick {
       groups_;  // for growing worlds, on machines with long lanes
   std::array<std::uint32_t, colours - 1> group_ends_{};
   bool are_grouped_ = false;
-  bool are_held_ = false;  // bodies, if they move little
+  bool are_held_ = false;  // whether bodies that move little are held
   List<std::uint8_t, contacts_room> colour_;
   List<std::uint64_t, bodies_room> used_;
   List<std::uint8_t, bodies_room> awake_;

@@ -353,9 +353,9 @@ class BasicWorld {
     return body != nullptr && body->sleeps;
   }
 
-  /// Puts the center of a body elsewhere at once, whatever is between, and wakes it and the bodies
-  /// that it touched or is joined to. It keeps its joints, velocity and orientation; its contacts
-  /// lose their impulses. False if no body has this id.
+  /// Puts the center of a body elsewhere at once, through anything in between, and wakes it and the
+  /// bodies that it touched or is joined to. It keeps its joints, velocity and orientation; its
+  /// contacts lose their impulses. False if no body has this id.
   ///
   /// Snapshots taken before a fixed body was moved cannot be restored afterwards.
   ///

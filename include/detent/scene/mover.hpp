@@ -25,8 +25,8 @@ struct Mover {
   /// Moves by `by`, the desired motion of a frame, gravity included, as far as the objects of a
   /// scene that pass `filter` allow:
   ///
-  /// 1. the frame of the object that it stands on carries it along, rigidly (objects that move
-  ///    otherwise do not: give platforms a frame);
+  /// 1. the frame of the object that it stands on carries it along, rigidly (an object without a
+  ///    frame does not, even if it moves: give platforms a frame);
   /// 2. it is pushed out of what it overlaps, by contacts, in at most four steps, each at most four
   ///    times as long as the greatest of their depths;
   /// 3. standing on ground, it walks: the horizontal part of `by` leads along walls, up slopes that

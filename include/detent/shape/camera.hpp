@@ -186,8 +186,8 @@ template <class T, Scalar S, class F>
 /// Where `camera` sees `point`: screen coordinates, in [-1, 1] inside the image, and depth.
 /// Coordinates are scalars, or of a given type: `project<T>(camera, point)`.
 ///
-/// domain: nothing for a point beside or behind a perspective camera (depth 0 or less), and if the
-///         pose's axes lie in a plane
+/// domain: nothing for a point that is not in front of a perspective camera (depth 0 or less), and
+///         if the pose's axes lie in a plane
 /// result: also points nearer than near or farther than far
 /// exact:  each number is the exact quotient rounded to nearest, ties to even, and clamped
 ///         (tests/shape/camera.test.cpp)

@@ -106,8 +106,7 @@ class Rapier {
   }
 }
 
-/** With the package's limits, the memory that it allocates for a step does not hold 10,000 boxes.
- *  */
+/** The package's limits give a step too little memory for 10,000 boxes. */
 class Jolt {
   name = 'Jolt';
   constructor(jolt) {

@@ -237,7 +237,7 @@ void check_boxes(Random& random, double size, Counts& counts) {
       clamped = clamped || p.point[k] == lowest<lever<S>> || p.point[k] == largest<lever<S>>;
     }
     if (clamped) continue;
-    // The point is midway, half the separation from the surface of one of the boxes along n.
+    // The point is midway: half the separation along n from the surface of one of the boxes.
     const double along = as_double(dot(exact(p.point, 0), n));
     double most_a = -1e300, least_b = 1e300;
     for (const auto& q : a) most_a = std::max(most_a, as_double(dot(q, n)));

@@ -638,8 +638,8 @@ void compare_crossings(int rounds) {
   CHECK((crossed > rounds / 2 && crossed < rounds));
 }
 
-TEMPLATE_TEST_CASE("manifold: edges surely too close together are", "", q16_16, q14_16, q24_8,
-                   q8_8) {
+TEMPLATE_TEST_CASE("manifold: what the filter of edge separations is sure of is exact", "", q16_16,
+                   q14_16, q24_8, q8_8) {
   compare_crossings<TestType>(20'000);
 }
 TEMPLATE_TEST_CASE("manifold: long comparison of edges too close together", "[.demand]", q16_16,

@@ -26,7 +26,7 @@ struct Game {
   Field field;
   std::array<ObjectId, 2> players;
   std::array<int, 2> points = {};
-  int it = 0;    // who has to catch the other one
+  int it = 0;    // the player who has to catch the other
   int rest = 0;  // frames until a touch counts again
 };
 template <class F>
@@ -71,7 +71,7 @@ inline void walk(Game& game, ObjectId player, const Vec2& by) {
 template <class Inputs>
 void simulate(Game& game, const Inputs& pads) {
   for (std::size_t i = 0; i < 2; ++i) {
-    // Who is it runs a little faster.
+    // The hunter is a little faster.
     const q16_16 speed = game.it == static_cast<int>(i) ? 0.15_q16_16 : 0.125_q16_16;
     walk(game, game.players[i], {nearest_to<q16_16>(pads[i].x * speed), {}});
     walk(game, game.players[i], {{}, nearest_to<q16_16>(pads[i].y * speed)});

@@ -100,8 +100,9 @@ TEMPLATE_TEST_CASE("cast: of several corners that meet a plane, boxes return the
   });
 }
 
-TEMPLATE_TEST_CASE("cast: of several corners that meet a plane, the order of corners is no matter",
-                   "[cast]", (Space<q16_16, 2>), (Space<q16_16, 3>), (Space<q8_8, 3>)) {
+TEMPLATE_TEST_CASE(
+    "cast: of several corners that meet a plane, the order of corners does not matter", "[cast]",
+    (Space<q16_16, 2>), (Space<q16_16, 3>), (Space<q8_8, 3>)) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   using Point = Vec<S, N>;

@@ -65,7 +65,7 @@ void compare(std::int32_t reach, std::size_t most, std::uint64_t seed) {
   CHECK(enclosed.percent() >= 95);
 }
 
-TEST_CASE("planar search: exact places give the closest feature of their differences") {
+TEST_CASE("planar search: exact positions give the closest feature of their differences") {
   compare(1 << 25, 4, 1);
   compare(1 << 25, 16, 2);
   compare(20, 16, 3);

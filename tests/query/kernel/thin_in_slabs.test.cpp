@@ -56,7 +56,7 @@ TEMPLATE_TEST_CASE("thin in slabs: what it is sure of is exact", "[query]", q16_
 
 /// Corners of the box and points of the segment close to ties: near-parallel edges, and ends level
 /// with a face.
-TEST_CASE("thin in slabs: near ties are left to the exact path or right", "[query]") {
+TEST_CASE("thin in slabs: near ties are left to the exact path or rounded correctly", "[query]") {
   using S = q16_16;
   HitRate sure;
   Random random(7);

@@ -6,9 +6,8 @@
 
 namespace detent::detail {
 
-/// The `reach` of a polyhedron whose corners are rounded to the grid of `Lever`: not 0 only if none
-/// of them was clamped and the normals u, v of the faces of each edge have -1 + 2^-6 <= u . v <=
-/// 1 - 2^-20.
+/// The `reach` of a polyhedron whose corners are rounded to the grid of `Lever`; 0 unless no corner
+/// was clamped and the normals u, v of the faces of each edge have -1 + 2^-6 <= u . v <= 1 - 2^-20.
 template <Scalar S, std::size_t Points, class Lever = typename Formats<S>::Lever>
 [[nodiscard]] constexpr Lever regular_reach(const PolytopeParts<S, 3, Points>& parts) noexcept {
   using Ratio = typename Formats<S>::Ratio;
@@ -30,8 +29,8 @@ template <Scalar S, std::size_t Points, class Lever = typename Formats<S>::Lever
   return reach;
 }
 
-/// The `radius` of a polytope with this center. Not known for scalars that round, nor if it may be
-/// 2^29 steps.
+/// The `radius` of a polytope about its center; 0, which means unknown, for scalars that round and
+/// if it may be 2^29 steps.
 template <Scalar S, int N, std::size_t Points, class Lever = typename Formats<S>::Lever>
 [[nodiscard]] constexpr Lever radius_of(const PolytopeParts<S, N, Points>& parts) noexcept {
   if constexpr (is_fixed<S>) {

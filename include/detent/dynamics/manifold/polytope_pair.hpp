@@ -32,7 +32,7 @@ struct MovedPoints {
 inline constexpr std::size_t polytope_faces = 2 * polytope_room - 4;
 inline constexpr std::size_t polytope_edges = 3 * polytope_room - 6;
 
-/// Heights of one point over the faces of a polytope; empty where no filter takes them.
+/// Heights of one point over the faces of a polytope; empty where no filter uses them.
 struct NoHeights {};
 template <Scalar S>
 using FaceHeights =
@@ -48,7 +48,7 @@ class BestPlane {
   using Points = std::span<const Vec<Lever, N>>;
 
   std::size_t face = 0;
-  std::size_t lowest = 0;  // a point; that of the least height over the face that came first
+  std::size_t lowest = 0;  // the point with the least height over the face tested first
   Span separation{};
 
   constexpr BestPlane(const Polytope<S, N>& shape, const Points& points) noexcept {
@@ -58,9 +58,10 @@ class BestPlane {
     start(points, height);
     for (std::size_t f = 1; f < shape.faces.size(); ++f) consider(points, f, height);
   }
-  /// If a separation exceeds the margin, any face with such a one. Otherwise `heights` are those of
-  /// the point `lowest`. The face over which `center`, a point in the middle of the others, is
-  /// highest comes first: then most faces are left out after one or two points.
+  /// If some separation exceeds the margin, finds any face with such a separation. Otherwise
+  /// `heights` are those of the point `lowest`. The face over which `center`, a point in the middle
+  /// of the others, is highest is tested first: that rules out most other faces after one or two
+  /// points.
   constexpr BestPlane(const Polytope<S, N>& shape, const Points& points,
                       const Vec<Lever, N>& center, const typename Formats<S>::Gap& margin,
                       FaceHeights<S>& heights) noexcept requires(has_filters) {
@@ -123,8 +124,8 @@ template <Scalar S, int N, class Lever = typename Formats<S>::Lever>
   }
 }
 
-/// Whether polytope b is surely more than the margin above some face of a, because the ball around it
-/// is; `center` is that of b in the frame of a.
+/// Whether polytope b is surely more than the margin above some face of a, because the ball around
+/// b is; `center` is that of b in the frame of a.
 ///
 /// A pose is a rotation within 2^-24, so its rounding and that of each corner move b by less than 2^6
 /// steps. Those of a's normals move it by less, since no coordinate exceeds 2^30 steps.
@@ -157,8 +158,8 @@ struct EdgeList {
   constexpr void add(std::size_t edge) noexcept { at[count++] = static_cast<std::uint8_t>(edge); }
 };
 
-/// A height such that two edges are at most this separation apart if one of them has two faces over
-/// which some corner of the other polytope is at most this high. Nothing if there is no proof.
+/// A bound h: the separation along two edges is at most h if some corner of the other polytope is
+/// at most h high over both faces of one of the edges. Nothing if there is no proof.
 ///                                            (tests/dynamics/manifold/hull.test.cpp)
 ///
 /// Let u, v be the normals of an edge's faces, q a corner of the other polytope and n the unit vector
@@ -243,8 +244,9 @@ template <Scalar S, Number T, class Ratio = typename Formats<S>::Ratio>
   return dot(n, outward) < 0 ? narrow_negative(n) : n;
 }
 
-/// Whether the vector across two edges has surely at most this separation, or is none: `d` is from a
-/// point of the first edge to one of the second, and the other arguments are as in `across_edges`.
+/// Whether the separation along the vector across two edges is surely at most this, or there is no
+/// such vector: `d` is from a point of the first edge to one of the second, and the other arguments
+/// are as in `across_edges`.
 ///
 /// The cross product c, rounded to c', and the unit vector n along it are off by less than 2^-30. So
 /// for |d| <= sqrt(3) 2^30 steps n . d differs from c' . d / |c'| by less than 2 + 2 / |c'| steps, and
@@ -274,7 +276,7 @@ template <Scalar S, Number T, Number D, class Ratio = typename Formats<S>::Ratio
 
 /// The pair of these edges with the greatest separation among those whose faces' normals cross, so
 /// that they bound the difference of the polytopes; the first of equals. None if that separation is
-/// at most `least`. `filters` has an effect on the time only.
+/// at most `least`. `filters` affects only the time.
 ///
 /// source: arcs on the Gauss map, Gregorius, The Separating Axis Test between Convex Polyhedra, GDC
 ///         2013
@@ -349,11 +351,12 @@ template <Scalar S>
   return one_point<S, 3>(normal, p, separation, feature, margin);
 }
 
-/// The face whose normal, turned by a matrix, is surely most opposed to `n`; nothing if others are
-/// about as much. `turn_back` has the transposed matrix.
+/// The face whose normal, turned by a matrix, is surely most opposed to `n`; nothing if another one
+/// is too close. `turn_back` has the transposed matrix.
 ///
-/// `n` is turned back instead. The cosines are then off by less than 2^-29, because both ways round a
-/// vector to 2^-30: only the exact ones tell those apart that are within 2^-28.
+/// Turns `n` back instead of every normal. The cosines are then off by less than 2^-29, because
+/// either way a vector is rounded to 2^-30; cosines within 2^-28 of each other need the exact
+/// comparison.
 template <Scalar S, int N, class Back, class Ratio = typename Formats<S>::Ratio>
 [[nodiscard]] constexpr std::optional<std::size_t> surely_opposed(const Polytope<S, N>& shape,
                                                                   const Vec<Ratio, N>& n,

@@ -37,7 +37,7 @@ template <Scalar S>
 /// duplicates.
 ///
 /// A contact along its triangle's own normal is valid. So is one over an edge or a corner at which
-/// no other near triangle rises. If triangles rise there, the valid ones replace it; if none is
+/// no other nearby triangle rises. If triangles rise there, the valid ones replace it; if none is
 /// valid, the triangle touches along its own normal. So a body that moves over a plane of many
 /// triangles meets only the plane's normal.
 template <class List, Scalar S>
@@ -72,9 +72,9 @@ class FacetContacts {
   }
 
   /// The predecessor of contact `i` in the last tick, among the contacts from `first` to `end`,
-  /// those of these bodies; `end` if there is none. Without one of its own triangle, it continues
-  /// the first contact of a triangle with its normal that is near but no longer touches and that no
-  /// other contact continues.
+  /// those of these bodies; `end` if there is none. If its own triangle had no contact, it
+  /// continues the first contact of another triangle that has the same normal, is nearby but no
+  /// longer touches, and is not continued by an earlier contact.
   template <class Contacts>
   constexpr std::size_t last_of(std::size_t i, const Contacts& before, std::size_t first,
                                 std::size_t end) noexcept {

@@ -93,10 +93,10 @@ requires HaveCast<A, B>
 ///         2^-30 (2^-14 in 16 bits); those of planes as stored, those between shapes without a
 ///         radius rounded to nearest. Points of a sphere or capsule within 1/2 + 2^-12 ULP, others
 ///         rounded to nearest. One exception: if a shape slides along a target at exactly the
-///         distance of its radius, and starts to do so less than 2^-32 of a unit (of the grid;
-///         2^-16 in 16 bits, 2^-6 for a capsule next to a box in its frame) before a point of the
-///         distance grid, the distance may be that point
-///         (tests/oracle/cast_round.test.cpp, tests/oracle/cast_polytopes.test.cpp)
+///         distance of its radius, and first comes that close less than 2^-32 grid units (2^-16 in
+///         16 bits, 2^-6 for a capsule next to a box in its frame) before a multiple of the grid
+///         unit, the distance may be that multiple (tests/oracle/cast_round.test.cpp,
+///         tests/oracle/cast_polytopes.test.cpp)
 template <class A, class B, Scalar S, int N>
 requires detail::HaveCast<A, B>
 [[nodiscard]] constexpr std::optional<CastHit<S, N>> cast(

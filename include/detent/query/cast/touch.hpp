@@ -117,8 +117,8 @@ template <bool WithNormal, bool HasFilter, class A, class B, class Way, class To
   return touch;
 }
 
-/// How far a point moves before it is within `radius` > 0 of another one, a ray against a ball, as
-/// `distance`; false if it is not by `limit`.
+/// Sets `distance` to how far a point moves before it is within `radius` > 0 of another one: a ray
+/// against a ball. Returns false if it does not come that close by `limit`.
 template <Scalar S, int N, Number R>
 [[nodiscard]] constexpr bool find_distance_to_ball(const Vec<S, N>& point, const Vec<S, N>& center,
                                                    const Direction<S, N>& direction, const S& limit,

@@ -76,8 +76,8 @@ template <Scalar S, int N>
   return found.value_or(a.min);
 }
 
-/// On each axis the ends of the boxes if they are apart there, or else the first common place; a
-/// common point if they are not apart.
+/// The closest points of two boxes: on each axis the facing ends if the boxes are apart there,
+/// otherwise the first common coordinate. If they are apart on no axis, a common point.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_of_boxes(
     const Aabb<S, N>& a, const Aabb<S, N>& b) noexcept {

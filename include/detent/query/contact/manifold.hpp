@@ -154,8 +154,8 @@ class ContactBuilder {
     return a_is_reference_ ? both(reference, incident) : both(incident, reference);
   }
 
-  /// The outline of a face. Of a face seen edge-on, which is its two ends, the deepest feature may be
-  /// in between: then it counts alone.
+  /// The outline of a face. A face seen edge-on has only its two ends; if the deepest feature lies
+  /// between them, that feature alone counts.
   [[nodiscard]] constexpr Face incident_of(const Face& wide, const Face& deepest) const noexcept {
     const auto seen = outline(wide, seen_);
     if (seen.count >= std::size_t{N}) return seen;

@@ -39,7 +39,7 @@ struct SegmentBoxPush {
     upper |= std::size_t{sign > 0} << axis;
     free |= std::size_t{sign == 0} << axis;
   }
-  /// `slope` tells towards which end the segment comes nearer to the box.
+  /// The sign of `slope` says towards which end the segment approaches the box.
   template <class T>
   constexpr void set_ends(const T& slope) noexcept {
     has_start = slope >= 0;

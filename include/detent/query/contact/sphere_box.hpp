@@ -54,9 +54,10 @@ template <Scalar S, int N>
   return all;
 }
 
-/// The contact of a box with solid faces and a sphere, in closed form: the place of the center in the
-/// frame of the box tells which of its features is nearest. The general search would find the same:
-/// that feature, the vector across it, and one point. All numbers are exact, so no filter is needed.
+/// The contact of a box with solid faces and a sphere, in closed form: the position of the center
+/// in the frame of the box determines which of its features is nearest. The general search would
+/// find the same: that feature, the vector across it, and one point. All numbers are exact, so no
+/// filter is needed.
 template <Scalar S, int N, class Box>
 class SphereBoxContact {
  public:

@@ -93,7 +93,8 @@ class AxisPush {
       N == 2, HolderOf<EdgeA, EdgeB>,
       HolderOf<Across<EdgeA, EdgeB>, HolderOf<Across<EdgeA, EdgeA>, Across<EdgeB, EdgeB>>>>;
 
-  /// Calls f with a vector along each axis whose number `wants`, some maybe 0 or twice.
+  /// Calls f with a vector along each axis whose number satisfies `wants`; some may be 0 or
+  /// repeated.
   template <class Wants, class F>
   constexpr void for_each_axis(const Wants& wants, const F& f) const noexcept {
     std::size_t i = 0;

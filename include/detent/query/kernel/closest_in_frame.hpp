@@ -37,9 +37,9 @@ template <Scalar S, int N>
 /// The t in [0, 1] for which t d is closest to the box from `low` to `high`: the first such t, or
 /// the last one, as a fraction.
 ///
-/// If they pass through all slabs that d is not parallel to, they are closest there. Otherwise
+/// If some points t d are inside all slabs that d is not parallel to, those are closest. Otherwise
 /// there is one closest point: an end, or where the excesses g + t speed on the axes outside their
-/// slabs are least (see compare_slabs).
+/// slabs are least (see nearest_of_slabs).
 template <Number T, Number D, int N>
 [[nodiscard]] constexpr auto closest_time(const Vec<T, N>& low, const Vec<T, N>& high,
                                           const Vec<D, N>& d, bool first) noexcept {

@@ -311,7 +311,7 @@ class Expansion {
       if (are_coplanar(facets_[first], other)) std::swap(facets_[j], facets_[final_count_++]);
     }
   }
-  /// The facet to examine: the nearest that is not final; none if a final one is nearer for sure.
+  /// The facet to examine: the nearest that is not final; none if a final one is surely nearer.
   [[nodiscard]] constexpr std::size_t next() const noexcept {
     std::size_t best = final_count_;
     for (std::size_t i = best + 1; i < facet_count_; ++i) {

@@ -57,7 +57,7 @@ class Gjk {
   }
 
   /// The feature of corner differences that holds the closest one; if the bodies touch, one that
-  /// holds the origin, after the first question.
+  /// holds the origin, after the first query.
   [[nodiscard]] constexpr const Simplex<T, N>& feature() const noexcept { return feature_; }
   /// The feature of corner differences that holds the closest one. Meaningless if the bodies touch.
   [[nodiscard]] constexpr const Simplex<T, N>& closest_feature() noexcept {

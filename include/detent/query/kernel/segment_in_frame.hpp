@@ -37,8 +37,8 @@ class SegmentInFrame {
   using Place = Fixed<62, frac>;
   using Error = Fixed<8, frac>;
 
-  /// The box must not be empty. Places are exact, because half steps occur only along axes of the
-  /// world.
+  /// The box must not be empty. Coordinates are exact, because half steps occur only along axes of
+  /// the world.
   template <class Box>
   constexpr SegmentInFrame(const Box& box, const Segment<S, N>& segment) noexcept
       : box_(box), segment_(segment) {
@@ -211,8 +211,8 @@ class SegmentInFrame {
     closest_at_ = ClosestAt::meets;
   }
 
-  /// Checks whether the proposed sides are right: at the time of the least distance from the lines of
-  /// the faces there, all places are surely on these sides.
+  /// Checks whether the proposed sides are right: at the time of the least distance from the faces
+  /// on these sides, all coordinates are surely beyond or between the faces as proposed.
   constexpr void check_between() noexcept {
     Vec<Place, N> bound, speed;
     auto longest = abs(d_.x);
@@ -332,7 +332,7 @@ class SegmentInFrame {
   BoundedRatio<OverOrUnder, OverOrUnder, 63, Steps<128>> ratio_{};
 };
 
-/// Whether to filter the queries of a box of this kind and a segment so.
+/// Whether this filter pays for the queries of this kind of box and a segment.
 template <class Box>
 inline constexpr bool has_segment_in_frame = false;
 template <Scalar S, int N>
