@@ -27,6 +27,9 @@ struct ContactGroup {
   std::uint32_t first = 0;           // index of the first in the list of ready contacts
   std::uint8_t size = 0, count = 0;  // number of contacts, and the most points of any
   bool has_rows = false;             // whether the ready contacts have the rows too
+  bool are_even = false;             // impulses change both velocities of each contact equally
+  bool is_idle = false;              // its contacts have no impulses, and no rows yet
+  std::uint32_t idle = 0;            // index in the list of idle groups
   Quad<std::uint32_t> a{}, b{};
   Quad<bool> pushes_a{}, pushes_b{};
   Push normal{};
@@ -260,7 +263,11 @@ class GroupSolver : FourPairs<L, S> {
     Pairs::template turn<typename F::Response>(lever.response_a, lever.response_b, impulse);
   }
   void apply(const Push& push, const Lever& lever, const Side<Impulse>& impulse) noexcept {
-    for (std::size_t i = 0; i < 3; ++i) Pairs::push(i, push.on_a[i], push.on_b[i], impulse);
+    if (group_.are_even) {
+      for (std::size_t i = 0; i < 3; ++i) Pairs::push(i, push.on_a[i], impulse);
+    } else {
+      for (std::size_t i = 0; i < 3; ++i) Pairs::push(i, push.on_a[i], push.on_b[i], impulse);
+    }
     turn(lever, impulse);
   }
 
