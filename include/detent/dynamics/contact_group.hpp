@@ -161,8 +161,9 @@ constexpr void scatter(const ContactGroup<S>& group, ReadyContact<S, 3>* ready,
 DETENT_BEGIN_LONG_LANES
 
 /// The passes of solve.hpp for all contacts of a group at once, with the same bits. Each function
-/// returns false, and changes nothing, if some number left its range and must be clamped.
-template <class L, Scalar S>
+/// returns false, and changes nothing, if some number left its range and must be clamped. `AreEven`
+/// requires a group with `are_even` and takes fewer products.
+template <class L, Scalar S, bool AreEven = false>
 class GroupSolver : FourPairs<L, S> {
   using F = Formats<S>;
   using Speed = typename F::Speed;
@@ -263,7 +264,7 @@ class GroupSolver : FourPairs<L, S> {
     Pairs::template turn<typename F::Response>(lever.response_a, lever.response_b, impulse);
   }
   void apply(const Push& push, const Lever& lever, const Side<Impulse>& impulse) noexcept {
-    if (group_.are_even) {
+    if constexpr (AreEven) {
       for (std::size_t i = 0; i < 3; ++i) Pairs::push(i, push.on_a[i], impulse);
     } else {
       for (std::size_t i = 0; i < 3; ++i) Pairs::push(i, push.on_a[i], push.on_b[i], impulse);

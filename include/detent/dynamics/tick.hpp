@@ -868,8 +868,13 @@ class Tick {
   template <class Together, class Alone>
   constexpr void solve_group(ContactGroup<S>& group, const Together& together,
                              const Alone& alone) requires(has_groups) {
-    GroupSolver<FastLongLanes, S> solver(group, moving_.data());
-    if (together(solver)) return;
+    if (group.are_even) {
+      GroupSolver<FastLongLanes, S, true> solver(group, moving_.data());
+      if (together(solver)) return;
+    } else {
+      GroupSolver<FastLongLanes, S> solver(group, moving_.data());
+      if (together(solver)) return;
+    }
     auto* ready = &ready_[group.first];
     spread_rows(group, ready);
     scatter(group, ready, found_.contacts.data());
