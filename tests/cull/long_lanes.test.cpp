@@ -39,6 +39,7 @@ auto results(const LongWords& x, const LongWords& y, int shift) {
                     L(x[0]).words(),
                     a.lower().words(),
                     a.upper().words(),
+                    a.magnitudes().words(),
                     L::product(a.lower(), b.upper()).words()};
 }
 
