@@ -372,7 +372,7 @@ class Tick {
       auto reach = least_reach;
       auto margin = least_margin;
       if (are_held_) {
-        const auto slack = slack_of(bodies[pair.a]) + slack_of(bodies[pair.b]);
+        const auto slack = slacks_[pair.a] + slacks_[pair.b];
         if (slack != 0) {
           reach = wider(reach, slack);
           margin = saturate_to<typename F::Lever>(margin + slack);
@@ -958,7 +958,9 @@ class Tick {
   constexpr void hold_back(const Bodies& bodies) {
     if constexpr (has_groups) held_ = supports_;
     if (!are_held_) return;
+    slacks_.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
+      slacks_[i] = slack_of(bodies[i]);
       if (!bodies[i].is_held()) continue;
       if constexpr (has_groups) {
         detail::hold_back(held_[i], bodies[i]);
@@ -1237,8 +1239,9 @@ class Tick {
   static constexpr std::size_t groups_a_call = 8;
 
   List<Support<S, N>, bodies_room> supports_;
-  List<Support<S, N>, 0> held_;               // for worlds that process four contacts at once
-  List<Standing<S, N>, bodies_room> starts_;  // empty without a fast body
+  List<Support<S, N>, 0> held_;                  // for worlds that process four contacts at once
+  List<Standing<S, N>, bodies_room> starts_;     // empty without a fast body
+  List<typename F::Lever, bodies_room> slacks_;  // of bodies, if they may be held
   List<Moving<S, N>, bodies_room> moving_;
   List<Axes<S, N>, bodies_room> half_way_;  // the axes at the middle of the substep
   List<SweepEntry<S, N>, bodies_room> swept_;
