@@ -26,20 +26,12 @@ template <class L>
 auto results(const LongWords& x, const LongWords& y, int shift) {
   const L a(x), b(y);
   const auto marks = L::above(a, b);
-  return std::array{(a + b).words(),
-                    (a - b).words(),
-                    (a & b).words(),
-                    (a | b).words(),
-                    (a >> shift).words(),
-                    (a << shift).words(),
-                    L::product(a, b).words(),
-                    marks.words(),
-                    L::select(marks, a, b).words(),
-                    L(a.halves()).words(),
-                    L(x[0]).words(),
-                    a.lower().words(),
-                    a.upper().words(),
-                    L::product(a.lower(), b.upper()).words()};
+  return std::array{
+      (a + b).words(),          (a - b).words(),        (a & b).words(),
+      (a | b).words(),          (a >> shift).words(),   (a << shift).words(),
+      L::product(a, b).words(), marks.words(),          L::select(marks, a, b).words(),
+      L(a.halves()).words(),    L(x[0]).words(),        a.lower().words(),
+      a.upper().words(),        a.magnitudes().words(), L::product(a.lower(), b.upper()).words()};
 }
 
 }  // namespace

@@ -108,6 +108,12 @@ class ArrayLongLanes {
   /// The lower or the upper halves, with their signs.
   [[nodiscard]] constexpr ArrayLongLanes lower() const noexcept { return ArrayLongLanes(halves()); }
   [[nodiscard]] constexpr ArrayLongLanes upper() const noexcept { return (*this >> 32).lower(); }
+  /// The magnitudes of the lower halves.
+  [[nodiscard]] constexpr ArrayLongLanes magnitudes() const noexcept {
+    ArrayLongLanes result = lower();
+    for (auto& word : result.words_) word = word < 0 ? -word : word;
+    return result;
+  }
   /// All bits of the lanes of a that are above those of b.
   [[nodiscard]] static constexpr ArrayLongLanes above(const ArrayLongLanes& a,
                                                       const ArrayLongLanes& b) noexcept {
@@ -286,6 +292,11 @@ class VectorLongLanes {
     return product(*this, VectorLongLanes(std::int64_t{1}));
   }
   [[nodiscard]] VectorLongLanes upper() const noexcept { return (*this >> 32).lower(); }
+  [[nodiscard]] VectorLongLanes magnitudes() const noexcept {
+    const auto halves = __builtin_bit_cast(Halves, words_);
+    const Halves signs = halves >> 31;
+    return VectorLongLanes(__builtin_bit_cast(Words, (halves ^ signs) - signs) & 0xffffffff);
+  }
   [[nodiscard]] static VectorLongLanes above(const VectorLongLanes& a,
                                              const VectorLongLanes& b) noexcept {
     return VectorLongLanes(__builtin_bit_cast(

@@ -84,6 +84,12 @@ class Simd128LongLanes {
     return Simd128LongLanes(__builtin_shufflevector(__builtin_bit_cast(Halves, low_),
                                                     __builtin_bit_cast(Halves, high_), 1, 3, 5, 7));
   }
+  [[nodiscard]] Simd128LongLanes magnitudes() const noexcept {
+    const auto magnitudes = __builtin_bit_cast(Halves, __builtin_wasm_abs_i32x4(halves_));
+    const Halves zero{};
+    return {__builtin_bit_cast(Words, __builtin_shufflevector(magnitudes, zero, 0, 4, 1, 5)),
+            __builtin_bit_cast(Words, __builtin_shufflevector(magnitudes, zero, 2, 6, 3, 7))};
+  }
   [[nodiscard]] static Simd128LongLanes above(const Simd128LongLanes& a,
                                               const Simd128LongLanes& b) noexcept {
     const auto part = [](const Words& x, const Words& y) {

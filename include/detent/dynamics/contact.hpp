@@ -158,6 +158,15 @@ template <Scalar S, int N, class Gyration = typename Formats<S>::Gyration>
   return spread;
 }
 
+/// `v` of a body's frame along the world's axes, each component rounded to nearest.
+template <Scalar S, int N, Number T>
+[[nodiscard]] constexpr Vec<T, N> out_of_axes(const Axes<S, N>& axes, const Vec<T, N>& v) noexcept {
+  return make_vec<N>([&](int k) {
+    const auto row = make_vec<N>([&](int i) { return axes[static_cast<std::size_t>(i)][k]; });
+    return nearest_to<T>(narrow_dot<62>(row, v));  // |row| |v| < 2^30 2^31 sqrt(3)
+  });
+}
+
 /// The contact of two bodies, from their manifold in the frame of a.
 ///
 /// `offset` is the position of b relative to a, as in the relative pose.
@@ -171,18 +180,12 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
   using Arm = typename F::Arm;
   using Lever = typename F::Lever;
   using Ratio = typename F::Ratio;
-  const auto out_of_a = [&]<class T>(const Vec<T, N>& v) {
-    return make_vec<N>([&](int k) {
-      const auto row = make_vec<N>([&](int i) { return a.axes[static_cast<std::size_t>(i)][k]; });
-      return nearest_to<T>(narrow_dot<62>(row, v));  // |row| |v| < 2^30 2^31 sqrt(3)
-    });
-  };
   const auto spread_a = share_of<S, N>(a.spread, share_a);
   const auto spread_b = share_of<S, N>(b.spread, share_b);
   ready.count = static_cast<std::uint8_t>(manifold.count);
   ready.is_wall = share_a == 0 || share_b == 0;
   ready.pushed = {share_a != 0, share_b != 0};
-  const auto n = out_of_a(manifold.normal);
+  const auto n = out_of_axes<S, N>(a.axes, manifold.normal);
   ready.normal = push_along<S, N>(n, share_a, share_b);
   const auto stuck = lock<S, N>(ready.normal, a.locked, b.locked);
 
@@ -198,7 +201,7 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
   std::array<Vec<Lever, N>, ReadyContact<S, N>::capacity> at{};  // from the center of a
   for (std::size_t i = 0; i < count; ++i) {
     const auto& point = manifold.points[i];
-    at[i] = out_of_a(point.point);
+    at[i] = out_of_axes<S, N>(a.axes, point.point);
     ready.pressure[i] = row_at(nearest_to<Arm>(at[i]), nearest_to<Arm>(at[i] - offset), n, stuck);
     ready.gap[i] = ready.gap_now[i] = saturate_to<typename F::Speed>(point.separation);
   }

@@ -27,6 +27,9 @@ struct ContactGroup {
   std::uint32_t first = 0;           // index of the first in the list of ready contacts
   std::uint8_t size = 0, count = 0;  // number of contacts, and the most points of any
   bool has_rows = false;             // whether the ready contacts have the rows too
+  bool are_even = false;             // impulses change both velocities of each contact equally
+  bool is_idle = false;              // its contacts have no impulses, and no rows yet
+  std::uint32_t idle = 0;            // index in the list of idle groups
   Quad<std::uint32_t> a{}, b{};
   Quad<bool> pushes_a{}, pushes_b{};
   Push normal{};
@@ -158,8 +161,9 @@ constexpr void scatter(const ContactGroup<S>& group, ReadyContact<S, 3>* ready,
 DETENT_BEGIN_LONG_LANES
 
 /// The passes of solve.hpp for all contacts of a group at once, with the same bits. Each function
-/// returns false, and changes nothing, if some number left its range and must be clamped.
-template <class L, Scalar S>
+/// returns false, and changes nothing, if some number left its range and must be clamped. `AreEven`
+/// requires a group with `are_even` and takes fewer products.
+template <class L, Scalar S, bool AreEven = false>
 class GroupSolver : FourPairs<L, S> {
   using F = Formats<S>;
   using Speed = typename F::Speed;
@@ -260,7 +264,11 @@ class GroupSolver : FourPairs<L, S> {
     Pairs::template turn<typename F::Response>(lever.response_a, lever.response_b, impulse);
   }
   void apply(const Push& push, const Lever& lever, const Side<Impulse>& impulse) noexcept {
-    for (std::size_t i = 0; i < 3; ++i) Pairs::push(i, push.on_a[i], push.on_b[i], impulse);
+    if constexpr (AreEven) {
+      for (std::size_t i = 0; i < 3; ++i) Pairs::push(i, push.on_a[i], impulse);
+    } else {
+      for (std::size_t i = 0; i < 3; ++i) Pairs::push(i, push.on_a[i], push.on_b[i], impulse);
+    }
     turn(lever, impulse);
   }
 

@@ -205,6 +205,17 @@ class FourRounder {
     note<T>(rest);
     return Four<T, L>(rest - lift<T>());
   }
+  /// Adds nearest(x) to b and subtracts it from a.
+  template <class T, int B, int F>
+  constexpr void exchange_nearest(Four<T, L>& a, Four<T, L>& b,
+                                  const Four<Fixed<B, F>, L>& x) noexcept {
+    const L part = raised<T>(x);
+    const L rest = (a.raw + L(LongWord{2} << T::bits)) - part, sum = b.raw + part;
+    note<T>(rest);
+    note<T>(sum);
+    a = Four<T, L>(rest - lift<T>());
+    b = Four<T, L>(sum - lift<T>());
+  }
   /// x in T, which has the same grid.
   template <class T, int B>
   constexpr Four<T, L> checked(const Four<Fixed<B, T::frac>, L>& x) noexcept {
@@ -373,6 +384,11 @@ class FourPairs {
   void push(std::size_t i, const Times& on_a, const Times& on_b, const Impulse& by) noexcept {
     a_.velocity[i] = round_.minus_nearest(a_.velocity[i], Ratio(on_a) * by);
     b_.velocity[i] = round_.plus_nearest(b_.velocity[i], Ratio(on_b) * by);
+  }
+  /// The same for bodies with equal shares.
+  template <class Times, class Impulse>
+  void push(std::size_t i, const Times& on_both, const Impulse& by) noexcept {
+    round_.exchange_nearest(a_.velocity[i], b_.velocity[i], Ratio(on_both) * by);
   }
   /// Changes the spins by an impulse times these vectors of `T`.
   template <class T, class Times, class Impulse>

@@ -82,6 +82,7 @@ template <class L, Scalar S>
   }
   group.rigid = group.pull = group.loss = group.grip = {};
   for (std::size_t k = 0; k < size; ++k) place_surface(group, ready[k], k);
+  group.are_even = from.share_a == from.share_b;
   group.pressures = {};
   group.pressed = {};
   group.frictions = {};

@@ -16,6 +16,7 @@
 #include "detent/dynamics/four_contacts.hpp"
 #include "detent/dynamics/four_flight.hpp"
 #include "detent/dynamics/hold.hpp"
+#include "detent/dynamics/idle.hpp"
 #include "detent/dynamics/islands.hpp"
 #include "detent/dynamics/joint/group.hpp"
 #include "detent/dynamics/manifold/pair.hpp"
@@ -76,15 +77,19 @@ class Tick {
     group_.part(joints);
     find_pairs(bodies, margin);
     are_held_ = pace.hold > 0;
-    if (are_held_) hold_back(bodies);
+    hold_back(bodies);
     touch(bodies, contacts, margin, pace.margin, threads);
     wake(bodies, joints);
     const bool is_still = !has_fast && stands_still(bodies) && have_stayed(contacts);
-    const auto ends = order(bodies);
     for (std::size_t i = 0; i < moving_.size(); ++i) moving_[i] = moving_of(bodies[i]);
+    const bool has_rolling = has_round && resist_rolling(bodies);
+    are_grouped_ = has_groups && runs_vectors() && !has_rolling;  // groups have no rows for rolling
+    const auto ends = order(bodies);
+    rolling_.clear();
+    if (has_rolling) rolling_.resize(ready_.size());
     prepare_all(bodies, ends, threads);
     if (are_held_) {
-      measure_gaps(ends, threads);
+      measure_gaps(bodies, ends, threads);
       let_go(bodies);
     }
     group_.prepare(joints, bodies, supports_, pace.rate);
@@ -450,7 +455,7 @@ class Tick {
       auto reach = least_reach;
       auto margin = least_margin;
       if (are_held_) {
-        const auto slack = slack_of(bodies[pair.a]) + slack_of(bodies[pair.b]);
+        const auto slack = slacks_[pair.a] + slacks_[pair.b];
         if (slack != 0) {
           reach = wider(reach, slack);
           margin = saturate_to<typename F::Lever>(margin + slack);
@@ -464,15 +469,15 @@ class Tick {
             touch_parts(bodies, pair, first, second, before, old, reach, margin, out);
           } else if constexpr (is_surface_body<A>) {
             touch_terrain(bodies, {pair}, first,
-                          Placed{second, supports_[pair.b], bodies[pair.b].reach}, true, before,
-                          old, reach, margin, out);
+                          Placed{second, held()[pair.b], bodies[pair.b].reach}, true, before, old,
+                          reach, margin, out);
           } else if constexpr (is_surface_body<B>) {
             touch_terrain(bodies, {pair}, second,
-                          Placed{first, supports_[pair.a], bodies[pair.a].reach}, false, before,
-                          old, reach, margin, out);
+                          Placed{first, held()[pair.a], bodies[pair.a].reach}, false, before, old,
+                          reach, margin, out);
           } else {
-            const auto& a = supports_[pair.a];
-            const auto& b = supports_[pair.b];
+            const auto& a = held()[pair.a];
+            const auto& b = held()[pair.b];
             const auto offset = offset_between(a, b);
             if constexpr (Round<A> && Round<B>) {
               const auto &reach_a = bodies[pair.a].reach, &reach_b = bodies[pair.b].reach;
@@ -528,7 +533,7 @@ class Tick {
       const auto parts = shape.asset->parts();
       for (std::size_t k = 0; k < parts.size(); ++k) {
         const auto pose = pose_in(*shape.asset, parts[k]);
-        const auto at = part_at(Standing<S, N>{supports_[body].place, supports_[body].axes}, pose);
+        const auto at = part_at(Standing<S, N>{held()[body].place, held()[body].axes}, pose);
         Support<S, N> support;
         support.place = at.place;
         support.axes = at.axes;
@@ -537,7 +542,7 @@ class Tick {
         });
       }
     } else {
-      f(Placed{shape, supports_[body], bodies[body].reach});
+      f(Placed{shape, held()[body], bodies[body].reach});
     }
   }
 
@@ -566,7 +571,7 @@ class Tick {
         touch_terrain(bodies, key, second, a, false, before, old, reach, margin, out);
       });
     } else {
-      const auto offset = offset_between(supports_[pair.a], supports_[pair.b]);
+      const auto offset = offset_between(held()[pair.a], held()[pair.b]);
       for_each_placed(bodies, pair.a, first, [&](const auto& a) {
         const auto box_a = bounds_of<S, N>(a.support.place, a.support.axes, a.reach, reach);
         for_each_placed(bodies, pair.b, second, [&](const auto& b) {
@@ -601,11 +606,11 @@ class Tick {
                                const Placed<Solid>& solid, bool is_first, const Contacts& before,
                                std::size_t old, const S& reach, const typename F::Lever& margin,
                                Search& out) const {
-    const auto& ground = supports_[is_first ? key.pair.a : key.pair.b];
+    const auto& ground = held()[is_first ? key.pair.a : key.pair.b];
     const auto& support = solid.support;
     const auto pose = relative_pose(ground, support, offset_between(ground, support));
-    const auto offset = offset_between(supports_[key.pair.a], supports_[key.pair.b]);
-    const auto back = relative_pose(supports_[key.pair.a], supports_[key.pair.b], offset);
+    const auto offset = offset_between(held()[key.pair.a], held()[key.pair.b]);
+    const auto back = relative_pose(held()[key.pair.a], held()[key.pair.b], offset);
     FacetContacts<decltype(out.facets), S> contacts(out.facets, contacts_room);
     contacts.find(terrain, solid.shape, pose, solid.reach, reach, margin);
     std::size_t end = old;
@@ -726,13 +731,13 @@ class Tick {
   /// Assigns a colour to each awake contact: the greatest, up to 47 for two moving bodies and up to
   /// 62 for others, that no earlier contact of its bodies has, or the last colour if there is none.
   /// So contacts with bodies that cannot move are solved last, and no later contact of the pass
-  /// disturbs them. Except for the last colour, contacts of a colour share no body that can move.
-  /// Returns where in `ready_` each colour ends.
+  /// disturbs them. Except for the last colour, contacts of a colour share no body that can move, so
+  /// those that seem idle can come last in their colour. Returns where in `ready_` each colour ends.
   constexpr ColourEnds order(const Bodies& bodies) {
     used_.clear();
     used_.resize(bodies.size());
     colour_.resize(found_.contacts.size());
-    ColourEnds start{};
+    ColourEnds start{}, idle_start{};
     for (std::size_t i = 0; i < found_.contacts.size(); ++i) {
       const auto& contact = found_.contacts[i];
       const bool moves_a = is_awake(bodies[contact.a]), moves_b = is_awake(bodies[contact.b]);
@@ -747,13 +752,24 @@ class Tick {
       colour_[i] = static_cast<std::uint8_t>(colour);
       if (moves_a) used_[contact.a] |= std::uint64_t{1} << colour;
       if (moves_b) used_[contact.b] |= std::uint64_t{1} << colour;
-      ++start[static_cast<std::size_t>(colour) + 1];
+      if (colour < colours - 1 && seems_idle(i)) {
+        colour_[i] |= idle;
+        ++idle_start[static_cast<std::size_t>(colour) + 1];
+      } else {
+        ++start[static_cast<std::size_t>(colour) + 1];
+      }
     }
-    for (std::size_t c = 0; c < colours; ++c) start[c + 1] += start[c];
+    for (std::size_t c = 0; c < colours; ++c) {
+      const auto busy_end = start[c] + start[c + 1];
+      start[c + 1] = busy_end + idle_start[c + 1];
+      idle_start[c] = busy_end;
+    }
+    busy_ends_ = idle_start;
     ready_.resize(start[colours]);  // filled when contacts are prepared
     for (std::size_t i = 0; i < found_.contacts.size(); ++i) {
       if (colour_[i] == asleep) continue;
-      auto& ready = ready_[start[colour_[i]]++];
+      const std::size_t colour = colour_[i] & (colours - 1);
+      auto& ready = ready_[(colour_[i] & idle) != 0 ? idle_start[colour]++ : start[colour]++];
       ready.contact = static_cast<std::uint32_t>(i);
       ready.a = found_.contacts[i].a;
       ready.b = found_.contacts[i].b;
@@ -761,7 +777,38 @@ class Tick {
       ready.was_pushed = {};
       ready.rolling = nullptr;
     }
+    for (std::size_t c = 0; c < colours; ++c) start[c] = idle_start[c];
     return start;
+  }
+  /// Whether a contact probably stays idle in this tick. A wrong guess costs only time.
+  constexpr bool seems_idle(std::size_t i) const noexcept {
+    if constexpr (has_groups) {
+      if (!are_grouped_) return false;
+      using Speed = typename F::Speed;
+      const auto& contact = found_.contacts[i];
+      const auto& [manifold, offset] = found_.manifolds[i];
+      for (const auto& impulse : contact.pressure) {
+        if (impulse != 0) return false;
+      }
+      for (const auto& impulse : contact.friction) {
+        if (impulse != 0) return false;
+      }
+      auto least = manifold.points[0].separation;
+      for (std::size_t k = 1; k < contact.count; ++k) {
+        least = (min)(least, manifold.points[k].separation);
+      }
+      if (least <= 0) return false;
+      const auto n = out_of_axes<S, N>(held()[contact.a].axes, manifold.normal);
+      const auto &a = moving_[contact.a], &b = moving_[contact.b];
+      const auto along = [&](const auto& of_a, const auto& of_b) {
+        return nearest_to<Speed>(narrow_dot<62>(n, of_b - of_a));
+      };
+      const auto gap = saturate_to<Speed>(least) + along(a.shift, b.shift);
+      const auto way = along(a.velocity, b.velocity);
+      return gap > 0 && gap + ((way + way) + (way + way)) > 0;
+    } else {
+      return false;
+    }
   }
 
   /// Calls f for each awake contact in order of colours, in parallel for those of one colour.
@@ -778,26 +825,51 @@ class Tick {
     OneThread().each(first, ready_.size(), 1, visit);
   }
 
-  /// Groups the contacts of each colour except the last, without their rows, if this machine has
-  /// vectors.
+  /// Groups the contacts of each colour except the last, without their rows. Contacts that seem idle
+  /// have their own groups.
   constexpr void group_all(const ColourEnds& ends) requires(has_groups) {
-    // Groups have no rows for rolling.
-    are_grouped_ = runs_vectors() && rolling_.size() == 0;
-    if (!are_grouped_) return;
-    std::uint32_t count = 0;
+    const auto groups_of = [](std::uint32_t size) { return (size + 3) / 4; };
+    std::uint32_t count = 0, idle_count = 0;
     for (std::size_t c = 0; c + 1 < colours; ++c) {
-      const auto size = ends[c] - (c == 0 ? 0 : ends[c - 1]);
-      count += (size + 3) / 4;
+      const auto idle_groups = groups_of(ends[c] - busy_ends_[c]);
+      count += groups_of(busy_ends_[c] - (c == 0 ? 0 : ends[c - 1])) + idle_groups;
+      idle_count += idle_groups;
       group_ends_[c] = count;
     }
     groups_.resize(count);
+    idle_.resize(idle_count);
     std::size_t g = 0;
-    for (std::size_t c = 0; c + 1 < colours; ++c) {
-      for (auto i = c == 0 ? 0 : ends[c - 1]; i < ends[c]; i += 4) {
+    std::uint32_t idle_group = 0;
+    const auto group = [&](std::uint32_t begin, std::uint32_t end, bool are_idle) {
+      for (auto i = begin; i < end; i += 4) {
         groups_[g].first = i;
-        groups_[g++].size = static_cast<std::uint8_t>((std::min)(ends[c] - i, std::uint32_t{4}));
+        groups_[g].size = static_cast<std::uint8_t>((std::min)(end - i, std::uint32_t{4}));
+        groups_[g].is_idle = are_idle;
+        groups_[g++].idle = are_idle ? idle_group++ : 0;
       }
+    };
+    for (std::size_t c = 0; c + 1 < colours; ++c) {
+      group(c == 0 ? 0 : ends[c - 1], busy_ends_[c], false);
+      group(busy_ends_[c], ends[c], true);
     }
+  }
+  /// Bounds the gaps of a group that seems idle, or prepares it if it is not.
+  constexpr void prepare_idle(const Bodies& bodies, ContactGroup<S>& group) requires(has_groups) {
+    auto& bounds = idle_[group.idle];
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      auto& contact = ready_[group.first + (k < group.size ? k : 0)];
+      const auto& [manifold, offset] = found_.manifolds[contact.contact];
+      contact.count = 0;  // for the end of the step
+      bounds.a[k] = contact.a;
+      bounds.b[k] = contact.b;
+      place_idle(bounds, k, manifold, held()[contact.a], held()[contact.b], offset);
+    }
+    if (!stay_idle<FastLongLanes, S>(bounds, moving_.data())) end_idleness(bodies, group);
+  }
+  /// Prepares a group that was idle. In a step, its gaps are measured next.
+  constexpr void end_idleness(const Bodies& bodies, ContactGroup<S>& group) requires(has_groups) {
+    group.is_idle = false;
+    prepare_group(bodies, group);
   }
   /// Prepares the contacts of a group: at once, or one by one if a number must be clamped.
   constexpr void prepare_group(const Bodies& bodies, ContactGroup<S>& group) requires(has_groups) {
@@ -818,43 +890,48 @@ class Tick {
       contact.pushed = {share_a != 0, share_b != 0};
       set_surface(bodies, contact);
       bounces = bounces || contact.bounce != 0;
-      is_free = is_free && supports_[contact.a].locked == 0 && supports_[contact.b].locked == 0;
+      is_free = is_free && held()[contact.a].locked == 0 && held()[contact.b].locked == 0;
     }
-    if (is_free && prepare_four<FastLongLanes, S>(group, from, supports_.data(), ready)) {
+    if (is_free && prepare_four<FastLongLanes, S>(group, from, held().data(), ready)) {
       gather_impulses(group, ready, found_.contacts.data());
       if (bounces) spread_rows(group, ready);
     } else {
       for (std::size_t k = 0; k < group.size; ++k) prepare_one(bodies, group.first + k);
       gather(group, ready, found_.contacts.data());
     }
-    for (std::size_t k = 0; bounces && k < group.size; ++k) note_closing(ready[k]);
+    for (std::size_t k = 0; bounces && k < group.size; ++k) note_closing(bodies, ready[k]);
   }
   template <class Threads>
   constexpr void scatter_all(const Threads& threads) {
     if constexpr (has_groups) {
       if (!are_grouped_) return;
       threads.each(0, groups_.size(), groups_a_call, [&](std::size_t k) {
+        if (groups_[k].is_idle) return;
         scatter(groups_[k], &ready_[groups_[k].first], found_.contacts.data());
       });
     }
   }
 
+  /// What a pass does with idle groups: one that only applies impulses leaves them alone, any other
+  /// first checks that they stay idle.
+  enum class OfIdle : std::uint8_t { skipped, checked };
+
   /// Solves awake contacts in order of colours: `together` solves a group, `alone` a single
   /// contact, and each contact of a group that `together` refuses.
-  template <class Threads, class Together, class Alone>
-  constexpr void solve_each(const ColourEnds& ends, const Threads& threads,
+  template <OfIdle Idle, class Threads, class Together, class Alone>
+  constexpr void solve_each(const Bodies& bodies, const ColourEnds& ends, const Threads& threads,
                             const Together& together, const Alone& alone) {
     if constexpr (has_groups) {
       if (are_grouped_) {
         const auto visit = [&](std::size_t g) {
           auto& group = groups_[g];
-          GroupSolver<FastLongLanes, S> solver(group, moving_.data());
-          if (together(solver)) return;
-          auto* ready = &ready_[group.first];
-          spread_rows(group, ready);
-          scatter(group, ready, found_.contacts.data());
-          for (std::size_t k = 0; k < group.size; ++k) alone(ready[k]);
-          gather_impulses(group, ready, found_.contacts.data());
+          if (group.is_idle) {
+            if (Idle == OfIdle::skipped) return;
+            if (stay_idle<FastLongLanes, S>(idle_[group.idle], moving_.data())) return;
+            end_idleness(bodies, group);
+            measure_group(group);
+          }
+          solve_group(group, together, alone);
         };
         std::size_t first = 0;
         if constexpr (Threads::are_many) {
@@ -871,28 +948,47 @@ class Tick {
     }
     for_each_ready(ends, threads, alone);
   }
+  template <class Together, class Alone>
+  constexpr void solve_group(ContactGroup<S>& group, const Together& together,
+                             const Alone& alone) requires(has_groups) {
+    if (group.are_even) {
+      GroupSolver<FastLongLanes, S, true> solver(group, moving_.data());
+      if (together(solver)) return;
+    } else {
+      GroupSolver<FastLongLanes, S> solver(group, moving_.data());
+      if (together(solver)) return;
+    }
+    auto* ready = &ready_[group.first];
+    spread_rows(group, ready);
+    scatter(group, ready, found_.contacts.data());
+    for (std::size_t k = 0; k < group.size; ++k) alone(ready[k]);
+    gather_impulses(group, ready, found_.contacts.data());
+  }
+
+  static constexpr bool resist_rolling(const Bodies& bodies) noexcept {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (resists_rolling(bodies[i])) return true;
+    }
+    return false;
+  }
 
   template <class Threads>
   constexpr void prepare_all(const Bodies& bodies, const ColourEnds& ends, const Threads& threads) {
-    if constexpr (has_round) {
-      rolling_.clear();
-      for (std::size_t i = 0; i < bodies.size() && rolling_.size() == 0; ++i) {
-        if (resists_rolling(bodies[i])) rolling_.resize(ready_.size());
-      }
-    }
     std::size_t first = 0;
     if constexpr (has_groups) {
-      group_all(ends);
       if (are_grouped_) {
-        threads.each(0, groups_.size(), groups_a_call,
-                     [&](std::size_t k) { prepare_group(bodies, groups_[k]); });
+        group_all(ends);
+        threads.each(0, groups_.size(), groups_a_call, [&](std::size_t k) {
+          auto& group = groups_[k];
+          group.is_idle ? prepare_idle(bodies, group) : prepare_group(bodies, group);
+        });
         first = ends[colours - 2];
       }
     }
     threads.each(first, ready_.size(), contacts_a_call, [&](std::size_t i) {
       set_surface(bodies, ready_[i]);
       prepare_one(bodies, i);
-      note_closing(ready_[i]);
+      note_closing(bodies, ready_[i]);
     });
   }
   /// The rows of a contact.
@@ -901,14 +997,13 @@ class Tick {
     const Body &a = bodies[ready.a], &b = bodies[ready.b];
     const auto& found = found_.manifolds[ready.contact];
     const auto [share_a, share_b] = mass_shares<S>(a, b);
-    prepare(ready, found.manifold, supports_[ready.a], supports_[ready.b], found.offset, share_a,
+    prepare(ready, found.manifold, held()[ready.a], held()[ready.b], found.offset, share_a,
             share_b);
     if (has_round && rolling_.size() != 0) {
       const auto limit = rolling_limit<S, N>(a, b, found_.contacts[ready.contact]);
       if (limit.is_any()) {
-        rolling_[i] =
-            prepare_rolling<S, N>(limit, share_of<S, N>(supports_[ready.a].spread, share_a),
-                                  share_of<S, N>(supports_[ready.b].spread, share_b));
+        rolling_[i] = prepare_rolling<S, N>(limit, share_of<S, N>(held()[ready.a].spread, share_a),
+                                            share_of<S, N>(held()[ready.b].spread, share_b));
         ready.rolling = &rolling_[i];
       }
     }
@@ -934,34 +1029,61 @@ class Tick {
     }
     ready.bounce = saturate_to<Ratio>((max)(restitution[0], restitution[1]));
   }
-  /// Sets the supports of held bodies to the poses at which they are held.
-  constexpr void hold_back(const Bodies& bodies) noexcept {
+  /// The supports of contacts: where held bodies are held. Worlds that process four contacts at once
+  /// keep them for the whole tick; others replace them by the bodies' own poses in `let_go`.
+  [[nodiscard]] constexpr const auto& held() const noexcept {
+    if constexpr (has_groups) {
+      return held_;
+    } else {
+      return supports_;
+    }
+  }
+  /// Finds all slacks, and sets these supports to the poses at which held bodies are held.
+  constexpr void hold_back(const Bodies& bodies) {
+    if constexpr (has_groups) held_ = supports_;
+    if (!are_held_) return;
+    slacks_.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-      if (bodies[i].is_held()) detail::hold_back(supports_[i], bodies[i]);
+      slacks_[i] = slack_of(bodies[i]);
+      if (!bodies[i].is_held()) continue;
+      if constexpr (has_groups) {
+        detail::hold_back(held_[i], bodies[i]);
+      } else {
+        detail::hold_back(supports_[i], bodies[i]);
+      }
     }
   }
   /// Sets them to the current poses.
   constexpr void let_go(const Bodies& bodies) noexcept {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      if (bodies[i].is_held()) detail::let_go(supports_[i], bodies[i]);
+    if constexpr (!has_groups) {
+      for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies[i].is_held()) detail::let_go(supports_[i], bodies[i]);
+      }
     }
   }
   /// The gaps of contacts whose bodies have moved since they were held.
   template <class Threads>
-  constexpr void measure_gaps(const ColourEnds& ends, const Threads& threads) {
-    solve_each(
-        ends, threads, [](auto& solver) { return solver.measure_gaps(); },
-        [&](ReadyContact<S, N>& ready) {
-          detail::measure_gaps(ready, moving_[ready.a], moving_[ready.b]);
-        });
+  constexpr void measure_gaps(const Bodies& bodies, const ColourEnds& ends,
+                              const Threads& threads) {
+    solve_each<OfIdle::skipped>(
+        bodies, ends, threads, [](auto& solver) { return solver.measure_gaps(); },
+        [&](ReadyContact<S, N>& ready) { measure_one(ready); });
+  }
+  constexpr void measure_one(ReadyContact<S, N>& ready) const noexcept {
+    detail::measure_gaps(ready, moving_[ready.a], moving_[ready.b]);
+  }
+  constexpr void measure_group(ContactGroup<S>& group) requires(has_groups) {
+    solve_group(
+        group, [](auto& solver) { return solver.measure_gaps(); },
+        [&](ReadyContact<S, N>& ready) { measure_one(ready); });
   }
   /// Records the rates of a contact that bounces, at the start of the tick.
-  constexpr void note_closing(ReadyContact<S, N>& ready) const noexcept {
+  constexpr void note_closing(const Bodies& bodies, ReadyContact<S, N>& ready) const noexcept {
     if (ready.bounce == 0) return;
+    const auto a = moving_of(bodies[ready.a]), b = moving_of(bodies[ready.b]);
     for (std::size_t k = 0; k < ready.count; ++k) {
-      ready.closing[k] =
-          rate_along<S, N>(ready.normal.along, ready.pressure[k], moving_[ready.a].velocity,
-                           moving_[ready.a].spin, moving_[ready.b].velocity, moving_[ready.b].spin);
+      ready.closing[k] = rate_along<S, N>(ready.normal.along, ready.pressure[k], a.velocity, a.spin,
+                                          b.velocity, b.spin);
     }
   }
 
@@ -1061,8 +1183,8 @@ class Tick {
       turner.flush();
     });
     group_.warm_start(joints, moving_, supports_);
-    solve_each(
-        ends, threads, [](auto& solver) { return solver.warm_start(); },
+    solve_each<OfIdle::skipped>(
+        bodies, ends, threads, [](auto& solver) { return solver.warm_start(); },
         [&](const ReadyContact<S, N>& ready) {
           const auto& contact = found_.contacts[ready.contact];
           warm_start(ready, contact, moving_[ready.a], moving_[ready.b]);
@@ -1071,8 +1193,9 @@ class Tick {
           }
         });
     group_.template solve_all<Pass::biased>(joints, moving_, supports_);
-    solve_each(
-        ends, threads, [&](auto& solver) { return solver.template solve<Pass::biased>(pace.push); },
+    solve_each<OfIdle::checked>(
+        bodies, ends, threads,
+        [&](auto& solver) { return solver.template solve<Pass::biased>(pace.push); },
         [&](ReadyContact<S, N>& ready) {
           solve_pressure<Pass::biased>(ready, found_.contacts[ready.contact], moving_[ready.a],
                                        moving_[ready.b], pace.push);
@@ -1088,8 +1211,8 @@ class Tick {
     });
     group_.follow(joints, bodies, supports_);
     group_.template solve_all<Pass::relaxed>(joints, moving_, supports_);
-    solve_each(
-        ends, threads,
+    solve_each<OfIdle::checked>(
+        bodies, ends, threads,
         [&](auto& solver) { return solver.template solve<Pass::relaxed>(pace.push); },
         [&](ReadyContact<S, N>& ready) {
           auto& contact = found_.contacts[ready.contact];
@@ -1190,6 +1313,7 @@ class Tick {
   }
 
   static constexpr std::uint8_t asleep = 0xff;
+  static constexpr std::uint8_t idle = colours;  // added to a colour
   static constexpr std::size_t pair_room = 4 * contacts_room;
 
   // The work of one call on a thread: some microseconds, so that waiting for other threads costs
@@ -1200,8 +1324,10 @@ class Tick {
   static constexpr std::size_t groups_a_call = 8;
 
   List<Support<S, N>, bodies_room> supports_;
+  List<Support<S, N>, 0> held_;               // for worlds that process four contacts at once
   List<Standing<S, N>, bodies_room> starts_;  // empty without a fast body
   List<ContactKey, passes_room> passes_;
+  List<typename F::Lever, bodies_room> slacks_;  // of bodies, if they may be held
   List<Moving<S, N>, bodies_room> moving_;
   List<Axes<S, N>, bodies_room> half_way_;  // the axes at the middle of the substep
   List<SweepEntry<S, N>, bodies_room> swept_;
@@ -1215,7 +1341,9 @@ class Tick {
   List<Rolling<S, N>, has_round ? contacts_room : 0> rolling_;  // empty if no body resists it
   List<std::conditional_t<is_fixed<S> && N == 3, ContactGroup<S>, char>, 0>
       groups_;  // for growing worlds, on machines with long lanes
+  List<std::conditional_t<is_fixed<S> && N == 3, IdleGroup<S>, char>, 0> idle_;
   std::array<std::uint32_t, colours - 1> group_ends_{};
+  ColourEnds busy_ends_{};  // where in each colour the contacts begin that seem idle
   bool are_grouped_ = false;
   bool are_held_ = false;  // whether bodies that move little are held
   List<std::uint8_t, contacts_room> colour_;

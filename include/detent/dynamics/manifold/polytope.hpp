@@ -16,6 +16,7 @@ namespace detent::detail {
 template <Scalar S, int N>
 struct PolytopeFace {
   Vec<typename Formats<S>::Ratio, N> normal{};  // outward
+  typename ContactFormats<S>::Span level{};     // normal . first corner
   std::uint8_t first = 0, count = 0;
 };
 
@@ -54,7 +55,8 @@ struct Polytope {
   /// The height of `p` over the plane of a face: |n| |p - v| is below 2 sqrt(3) 2^61 (1 + 2^-28).
   [[nodiscard]] constexpr Span height(const PolytopeFace<S, N>& face,
                                       const Point& p) const noexcept {
-    return along(face.normal, p, corner(face, 0));
+    constexpr int bits = bits_of<Span>;
+    return narrow_difference<bits>(narrow_dot<bits>(face.normal, p), face.level);
   }
   /// The distance of `p` beyond side `k` of a face.
   [[nodiscard]] constexpr Span beyond(const PolytopeFace<S, N>& face, std::size_t k,
@@ -109,9 +111,12 @@ struct PolytopeParts {
     faces[face_count].normal = normal;
     faces[face_count++].first = static_cast<std::uint8_t>(side_count);
   }
-  /// A corner of the last added face.
+  /// A corner of the last added face; the points are known.
   constexpr void add_corner(std::size_t point, const Vec<Ratio, N>& side) noexcept {
-    ++faces[face_count - 1].count;
+    auto& face = faces[face_count - 1];
+    if (face.count++ == 0) {
+      face.level = narrow_dot<bits_of<decltype(face.level)>>(face.normal, points[point]);
+    }
     corners[side_count] = static_cast<std::uint8_t>(point);
     sides[side_count++] = side;
   }

@@ -66,13 +66,11 @@ class BestPlane {
                       const Vec<Lever, N>& center, const typename Formats<S>::Gap& margin,
                       FaceHeights<S>& heights) noexcept requires(has_filters) {
     constexpr int bits = bits_of<Span>;
-    FaceHeights<S> levels;  // of the faces
     const auto height = [&](std::size_t f, const auto& p) {
-      return narrow_difference<bits>(narrow_dot<bits>(shape.faces[f].normal, p), levels[f]);
+      return shape.height(shape.faces[f], p);
     };
     Span most{};
     for (std::size_t f = 0; f < shape.faces.size(); ++f) {
-      levels[f] = narrow_dot<bits>(shape.faces[f].normal, shape.corner(shape.faces[f], 0));
       const auto above = height(f, center);
       if (f == 0 || above > most) most = above, face = f;
     }
