@@ -328,7 +328,7 @@ class Tick {
       if (k == 0 || passes_[k].pair != passes_[k - 1].pair) pairs_.push_back(passes_[k].pair);
     }
     place(bodies, threads);
-    if (are_held_) hold_back(bodies);
+    hold_back(bodies);
     touch(bodies, before, margin, reach, 0, pairs_.size(), found_);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < passes_.size(); ++k) {
