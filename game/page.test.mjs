@@ -6,7 +6,7 @@
 // game/check for this machine and a big-endian one. Players leave and return, and others watch. It
 // also flips a bit, saves and drops a replay, plays by keyboard, mouse and touch, goes offline, and
 // visits the two other rooms. Pictures go to FOLDER. Most of it runs at several times normal speed;
-// pages then draw only every four seconds, because drawing without a GPU is slow. With FRAMES,
+// pages then draw only once a minute and for pictures, because drawing without a GPU is slow. With FRAMES,
 // plays only the match of four, for that many frames. With `corpus`, checks only the whole corpus.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
@@ -20,7 +20,7 @@ const parsed = (text) => Object.fromEntries(text.trim().split('\n').map((line) =
 const goldenOf = (file) => parsed(readFileSync(new URL(file, import.meta.url), 'utf8'));
 const golden = goldenOf('golden.txt'), isLong = process.argv.length > 3, isCorpus = process.argv[3] === 'corpus';
 // game/check plays all 3,000 frames of the match of four on both of its machines.
-const frames = isLong && !isCorpus ? Number(process.argv[3]) : 1200;
+const frames = isLong && !isCorpus ? Number(process.argv[3]) : 600;
 const { chromium } = createRequire(folder)('playwright-core');
 const { WebSocket } = createRequire(folder)('ws');
 const seed = 2026;  // the seed of golden.txt
@@ -56,6 +56,15 @@ async function untilPlayed(page, frames) {
   await page.waitForFunction((n) => slingshot.milestones()[n], frames, { polling: isLong ? 1000 : 50 });
   const digests = await page.evaluate(() => slingshot.milestones());
   return Object.fromEntries(Object.entries(digests).filter(([frame]) => frame <= frames));
+}
+
+// A picture of a page that draws rarely.
+async function picture(page, name) {
+  await page.evaluate(() => new Promise((done) => {
+    slingshot.redraw();
+    requestAnimationFrame(() => requestAnimationFrame(done));
+  }));
+  await page.screenshot({ path: `${folder}${name}.png` });
 }
 
 async function drop(page, file) {
@@ -98,11 +107,7 @@ async function playFour() {
       (slingshot.sent() / slingshot.peers[0].wasm.frame()) * 60 / 3]);
     console.log(`${Object.keys(all).length} digests equal, the last ${all[frames]}; ${seconds} s; a page simulated `
       + `${again.toFixed(2)} frames again for each and sent ${Math.round(bytes)} bytes per 60 frames to each other player`);
-    await pages[0].evaluate(() => new Promise((done) => {
-      slingshot.redraw();
-      requestAnimationFrame(() => requestAnimationFrame(done));
-    }));
-    await pages[0].screenshot({ path: `${folder}four.png` });
+    await picture(pages[0], 'four');
 
     // One player leaves and the others continue.
     await pages[1].close();
@@ -179,7 +184,7 @@ async function playAll() {
   await check('two machines in a page play 3,000 frames as every other machine does', async () => {
     assert.deepEqual(await untilPlayed(alone, 3000), golden);
     assert.equal(await alone.textContent('#verdict'), 'equal');
-    await alone.screenshot({ path: `${folder}alone.png` });
+    await picture(alone, 'alone');
   });
 
   await check('a replay is saved, dropped on the page and plays to the same digests', async () => {
@@ -221,7 +226,7 @@ async function playAll() {
     // Screen readers announce both: the digests from a live region, and the field at once.
     assert.match(heard.join(), /The digests differ since frame \d+/);
     assert.equal(await page.locator('#desync').getAttribute('role'), 'alert');
-    await page.screenshot({ path: `${folder}desync.png` });
+    await picture(page, 'desync');
     await page.close();
   });
 
@@ -230,7 +235,7 @@ async function playAll() {
     const pages = [await open(query), await open(query)];
     const said = await Promise.all(pages.map((page) => untilPlayed(page, 3000)));
     assert.deepEqual(said, [golden, golden]);
-    await pages[1].screenshot({ path: `${folder}remote.png` });
+    await picture(pages[1], 'remote');
 
     // One reloads the page and returns to its seat, and another one watches.
     const name = await pages[1].textContent('#name-0');
@@ -248,8 +253,7 @@ async function playAll() {
     const [download] = await Promise.all([pages[1].waitForEvent('download'), pages[1].click('#save')]);
     const file = join(profile, 'late.dtnr');
     await download.saveAs(file);
-    await pages[2].evaluate(() => { slingshot.redraw(); });
-    await pages[2].screenshot({ path: `${folder}watch.png` });
+    await picture(pages[2], 'watch');
     await pages[2].setInputFiles('#open', file);  // of a match, from the middle on
     await pages[2].waitForFunction(() => /over: \d+ frames, all digests equal/.test(document.getElementById('notice').textContent));
     await pages[2].close();
