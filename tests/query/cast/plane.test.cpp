@@ -104,7 +104,7 @@ TEMPLATE_TEST_CASE(
     "cast: of several corners that meet a plane, the order of corners does not matter", "[cast]",
     (Space<q16_16, 2>), (Space<q16_16, 3>), (Space<q8_8, 3>)) {
   using S = typename TestType::scalar;
-  constexpr int N = TestType::dimension;
+  static constexpr int N = TestType::dimension;
   using Point = Vec<S, N>;
   for_each_axis_plane<S, N>([&](const Plane<S, N>& plane, const Direction<S, N>& along) {
     int axis = 0;
