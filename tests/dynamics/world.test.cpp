@@ -176,6 +176,18 @@ TEST_CASE("world: a kinematic body pushes and cannot be stopped") {
   CHECK(static_cast<double>(world.position(ball).x) > 1.9);
 }
 
+TEST_CASE("world: the mass is density times area; fixed and kinematic bodies have none") {
+  World<q16_16, 2, Sphere, Obb> world;
+  const Obb<q16_16, 2> box{{}, {q16_16(1), q16_16(2)}, {}};
+  const auto heavy = *world.add(box, {.density = q16_16(3)});
+  CHECK(world.mass(heavy) == 24);
+  CHECK(world.mass(*world.add(box, {.motion = BodyMotion::kinematic})) == 0);
+  const Obb<q16_16, 2> huge{{}, {q16_16(30000), q16_16(30000)}, {}};
+  CHECK(world.mass(*world.add(huge)) == q16_16::max());
+  REQUIRE(world.remove(heavy));
+  CHECK(world.mass(heavy) == 0);
+}
+
 TEST_CASE("world: full worlds and wrong ids are refused") {
   BoundedWorld<Bounded<2>, q16_16, 2, Sphere> world;
   const Sphere<q16_16, 2> ball{{}, q16_16(1)};

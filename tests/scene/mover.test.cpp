@@ -2,6 +2,7 @@
 #include "detent/scene/mover.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "detent/scene/sync_test.hpp"
 #include "scene/mover_level.hpp"
@@ -10,6 +11,9 @@ using namespace detent;
 using test::Level;
 
 namespace {
+
+// The shape alone names the type, in every compiler.
+static_assert(std::is_same_v<decltype(Mover{Capsule<q16_16, 2>{}}), Mover<q16_16, 2, Capsule>>);
 
 // From an ULP to the skin and its rounding errors.
 constexpr double skin = 1.0 / 64 + 1e-3;

@@ -6,6 +6,7 @@
 
 #include "detent/dynamics/fields.hpp"
 #include "detent/dynamics/follow.hpp"
+#include "detent/dynamics/joint_at.hpp"
 #include "detent/dynamics/mass.hpp"
 #include "detent/dynamics/particle/cloth.hpp"
 #include "detent/dynamics/particle/snapshot.hpp"

@@ -21,6 +21,11 @@ namespace detail {
 
 struct WorldAccess;
 
+template <class T>
+concept IsBodyShape = requires(const T& shape) {
+  detail::local_form(shape);
+};
+
 }  // namespace detail
 
 /// A pair of bodies that began or stopped touching in the last step, in order of their indices; for
@@ -51,6 +56,11 @@ class BasicWorld {
   using Tick = detail::Tick<Storage, S, N, Parts...>;
   using F = detail::Formats<S>;
   using Body = typename Tick::Body;
+
+  static_assert(
+      ((detail::IsBodyShape<Parts> || detail::IsJoint<Parts>)&&...),
+      "detent: bodies are Sphere, Capsule, Obb, Aabb, BodyHull, BodyCompound, in 3D also BodyMesh "
+      "and BodyHeightField; for a Plane use a large Obb, for a ConvexHull a BodyHull");
 
  public:
   static constexpr int dimension = N;
@@ -345,6 +355,12 @@ class BasicWorld {
     if (body == nullptr) return result;
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = per_second(body->state.spin[i]);
     return result;
+  }
+  /// The mass: density times area or volume, of compounds that of all parts. Rounded to nearest and
+  /// clamped; 0 without such a body, and for bodies that are not dynamic.
+  [[nodiscard]] constexpr S mass(const BodyId& id) const noexcept {
+    const Body* body = find(id);
+    return body == nullptr || !body->can_move() ? S(0) : saturate_to<S>(body->mass);
   }
   /// Whether the body sleeps; false without such a body. Setting its velocity, an impulse, a force or
   /// a torque wakes it.

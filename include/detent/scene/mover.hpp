@@ -57,6 +57,10 @@ struct Mover {
   [[nodiscard]] friend constexpr bool operator==(const Mover&, const Mover&) noexcept = default;
 };
 
+// Until version 17, clang deduces nothing for aggregates by itself.
+template <Scalar S, int N, template <class, int> class Shape>
+Mover(Shape<S, N>) -> Mover<S, N, Shape>;
+
 /// Appends to a digest: shape, then ground.
 template <class D, Scalar S, int N, template <class, int> class Shape>
 constexpr void append(D& digest, const Mover<S, N, Shape>& mover) noexcept {
