@@ -403,7 +403,11 @@ class WorldReader : private JsonFields {
     if (const JsonNode* const limits = find(node, "limits")) {
       expect(*limits, Kind::array, "limits");
       if (limits->items.size() != 2) fail(*limits, "limits are not two numbers; write [from, to]");
-      joint.limits = {number(limits->items[0], "limits"), number(limits->items[1], "limits")};
+      const auto from = number(limits->items[0], "limits"), to = number(limits->items[1], "limits");
+      if ((to.value - from.value).is_negative()) {
+        fail(*limits, "limits are not in order; write the lower one first");
+      }
+      joint.limits = {from, to};
     }
     joint.break_force = maybe_positive(node, "break_force");
     joint.least = maybe_positive(node, "least");

@@ -294,6 +294,10 @@ TEST_CASE("detent simulate: errors in a world are named by line, and nothing is 
               "], \"joints\": [\n{\"type\": \"ball\", \"a\": \"b\", "
               "\"b\": \"b\", \"limits\": [0, 0]}]}",
           "2:38: unknown key \"limits\" in the ball joint; it may have type, a, b, at,");
+  refused("{\"bodies\": [" + ball + ", {\"id\": \"c\"" + ball.substr(ball.find(',')) +
+              "], \"joints\": [\n{\"type\": \"hinge\", \"a\": \"b\", "
+              "\"b\": \"c\", \"at\": [0, 0, 0], \"limits\": [1, -0.5]}]}",
+          "2:66: limits are not in order; write the lower one first");
   refused("{\"bodies\": [\n{\"type\": \"compound\", \"parts\": []}]}",
           "2:31: the compound has no parts; give it a shape");
   refused(
