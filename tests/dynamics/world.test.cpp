@@ -176,7 +176,7 @@ TEST_CASE("world: a kinematic body pushes and cannot be stopped") {
   CHECK(static_cast<double>(world.position(ball).x) > 1.9);
 }
 
-TEST_CASE("world: the mass is density times area; fixed and kinematic bodies have none") {
+TEST_CASE("world: the mass is density times area, and 0 for fixed and kinematic bodies") {
   World<q16_16, 2, Sphere, Obb> world;
   const Obb<q16_16, 2> box{{}, {q16_16(1), q16_16(2)}, {}};
   const auto heavy = *world.add(box, {.density = q16_16(3)});
