@@ -45,7 +45,7 @@ done
 
 # Code outside of comments that names the shape or includes one of its headers.
 for file in $(find include src fuzz -name '*.hpp' -o -name '*.cpp' | grep -v "$own" | sort); do
-  sed 's@//.*@@' "$file" | grep -qE "\b$shape\b|$own[a-z_]*\.hpp" || continue
+  grep -qE "\b$shape\b|$own[a-z_]*\.hpp" <(sed 's@//.*@@' "$file") || continue
   grep -qx "$file" <<<"$changing"$'\n'"$others" ||
     fault "$file names $shape: get it from src/support/shapes.hpp or its core, or list the file" \
       'in ARCHITECTURE.md, "A shape"'

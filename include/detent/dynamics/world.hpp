@@ -57,10 +57,9 @@ class BasicWorld {
   using F = detail::Formats<S>;
   using Body = typename Tick::Body;
 
-  static_assert(
-      ((detail::IsBodyShape<Parts> || detail::IsJoint<Parts>)&&...),
-      "detent: bodies are Sphere, Capsule, Obb, Aabb, BodyHull, BodyCompound, in 3D also BodyMesh "
-      "and BodyHeightField; for a Plane use a large Obb, for a ConvexHull a BodyHull");
+  static_assert(((detail::IsBodyShape<Parts> || detail::IsJoint<Parts>)&&...),
+                "detent: these are no bodies: docs/dynamics.md lists those that are; for a Plane "
+                "use a large Obb, for a ConvexHull a BodyHull");
 
  public:
   static constexpr int dimension = N;
