@@ -215,7 +215,7 @@ class Tick {
       const auto ball = inner_ball_of(bodies[i]);
       for (int rank = 0; rank < 4; ++rank) {
         for (std::uint32_t j = 0; j < bodies.size(); ++j) {
-          if (can_collide(bodies, i, j) && rank_of(bodies[j]) == rank && !is_sensed(bodies, i, j)) {
+          if (can_collide(bodies, i, j) && rank_of(bodies[j]) == rank) {
             meet_on_way(bodies, i, j, ball, margin, false);
           }
         }
@@ -263,12 +263,13 @@ class Tick {
                              const InnerBall& ball, const S& margin, bool passes) {
     Body& body = bodies[fast];
     const Body& other = bodies[index];
+    const bool are_sensed = is_sensed(bodies, fast, index);
+    if (are_sensed != passes && compound_of<S, N>(other.shape) == nullptr) return;
     const auto before = starts_[index];
     const auto after =
         other.motion == BodyMotion::fixed
             ? before
             : Standing<S, N>{other.state.place, axes_of<S, N>(other.state.orientation)};
-    const bool are_sensed = is_sensed(bodies, fast, index);
     const auto meet = [&](std::uint32_t part, const auto& shape, const BodyExtent<S, N>& extent,
                           const Standing<S, N>& from, const Standing<S, N>& to) {
       const auto at = stop_before(shape, extent, seen_from(from, starts_[fast].place),
@@ -293,7 +294,7 @@ class Tick {
                  part_at(after, pose));
           });
         }
-      } else if (are_sensed == passes) {
+      } else {
         meet(0, shape, other.reach, before, after);
       }
     });
