@@ -152,12 +152,10 @@ TEST_CASE("corpus: its parts make up the whole, in order") {
   CHECK(sheet_count == sheets().size());
 }
 
-// Answering the full corpus takes long: one case has two purposes.
-TEST_CASE(
-    "corpus: between 30 and 70 percent of the answers are yes, for every query and size, and the "
-    "full size gives its golden digests") {
-  std::array<std::uint64_t, count_cells()> full{};
-  for (const auto size : {full_size, small_size}) {
+// `detent verify` answers the full corpus in another test.
+TEST_CASE("corpus: between 30 and 70 percent of the answers are yes, for every query and size") {
+  constexpr std::uint32_t large_size = full_size / 4;
+  for (const auto size : {large_size, small_size}) {
     std::map<std::string_view, test::HitRate> rates;
     for (std::size_t i = 0; i < sheets().size(); ++i) {
       const auto& sheet = sheets()[i];
@@ -166,19 +164,17 @@ TEST_CASE(
       if (size == small_size && !has_rates) continue;
       const auto answers = answer(i, size, false);
       for (std::size_t row = 0; row < answers.size(); ++row) {
-        if (size == full_size) full[sheet.cells[row]] = answers[row].digest;
         if (!has_rates || !asks_yes_or_no(sheet.rows[row])) continue;
         for (std::uint32_t k = 0; k < count; ++k)
           rates[sheet.rows[row]].count(k < answers[row].yes);
       }
     }
-    CHECK(rates.size() >= (size == full_size ? 100 : 50));
+    CHECK(rates.size() >= (size == large_size ? 100 : 50));
     for (const auto& [row, rate] : rates) {
       INFO(row << ": " << rate);
       CHECK(rate.is_balanced());
     }
   }
-  CHECK(full == golden::full);
 }
 
 TEST_CASE("corpus: every shape is touched, started in, grazed along and hit at a ray's end") {
