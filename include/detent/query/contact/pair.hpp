@@ -9,6 +9,7 @@
 #include "detent/query/contact/boxes.hpp"
 #include "detent/query/contact/contact.hpp"
 #include "detent/query/contact/manifold.hpp"
+#include "detent/query/contact/obbs.hpp"
 #include "detent/query/contact/segment_box.hpp"
 #include "detent/query/contact/sphere_box.hpp"
 #include "detent/query/contact/spheres.hpp"
@@ -182,6 +183,10 @@ template <Scalar S, int N, class A, class B>
     }
     const auto filter = axis_filter<S>(a, b);
     if (filter.are_apart()) return std::nullopt;
+    if constexpr (is_kind<A, Obb> && is_kind<B, Obb> &&
+                  !std::is_same_v<decltype(filter), const AnyAxis>) {
+      if (const auto found = ObbsContact<S>(a, b, filter).find()) return found;
+    }
     const auto corners_a = corners_of(a);
     const auto corners_b = corners_of(b);
     const auto body_a = body_of_corners(corners_a);
