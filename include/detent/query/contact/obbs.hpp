@@ -67,27 +67,32 @@ class ObbsContact {
     const int side = filter_.side_of(across);
     return {side < 0 ? narrow_negative(across) : across, side};
   }
+  /// A number for each axis; `Vec` would branch to select one at run time.
+  template <Number T>
+  using Each = std::array<T, 3>;
+  template <Number T>
+  [[nodiscard]] static constexpr const T& at(const Each<T>& each, int i) noexcept {
+    return each[static_cast<std::size_t>(i)];
+  }
   /// The products of a normal and the axes of a box, off by less than `least_along`.
-  [[nodiscard]] static constexpr Vec<Along, 3> along(const Normal& normal,
-                                                     const Obb<S, 3>& box) noexcept {
+  [[nodiscard]] static constexpr Each<Along> along(const Normal& normal,
+                                                   const Obb<S, 3>& box) noexcept {
     const auto leading = make_vec<3>([&](int i) { return narrow_floor<Component>(normal.vec[i]); });
-    return make_vec<3>(
-        [&](int i) { return narrow_dot<Along::bits>(leading, box.rotation.axis(i).vec()); });
+    return to_array(make_vec<3>(
+        [&](int i) { return narrow_dot<Along::bits>(leading, box.rotation.axis(i).vec()); }));
   }
   static constexpr auto least_along = scale_up<Along::bits>(Along::from_raw(1), 32);
 
-  [[nodiscard]] static constexpr Vec<Exact, 3> edge(const Obb<S, 3>& box, int i) noexcept {
-    return make_vec<3>([&](int k) {
-      return narrow_product<Exact::bits>(box.half_extents[i], box.rotation.axis(i)[k]);
-    });
+  /// From the middle of a box to an end of axis i.
+  [[nodiscard]] static constexpr Vec<Exact, 3> edge(const Obb<S, 3>& box, int i,
+                                                    bool is_upper) noexcept {
+    const S half = with_sign(at(to_array(box.half_extents), i), !is_upper);
+    const auto& axis = box.rotation.axis(i);
+    return make_vec<3>([&](int k) { return narrow_product<Exact::bits>(half, axis[k]); });
   }
-  [[nodiscard]] static constexpr Vec<Exact, 3> moved(const Vec<Exact, 3>& p,
-                                                     const Vec<Exact, 3>& edge,
-                                                     bool is_upper) noexcept {
-    return make_vec<3>([&](int k) {
-      return is_upper ? narrow_sum<Exact::bits>(p[k], edge[k])
-                      : narrow_difference<Exact::bits>(p[k], edge[k]);
-    });
+  [[nodiscard]] static constexpr Vec<Exact, 3> sum(const Vec<Exact, 3>& p,
+                                                   const Vec<Exact, 3>& q) noexcept {
+    return make_vec<3>([&](int k) { return narrow_sum<Exact::bits>(p[k], q[k]); });
   }
   [[nodiscard]] static constexpr Vec<Exact, 3> center(const Obb<S, 3>& box) noexcept {
     return make_vec<3>([&](int k) { return Exact(box.center[k]); });
@@ -101,7 +106,7 @@ class ObbsContact {
     const auto height =
         dot(normal.vec,
             make_vec<3>([&](int k) { return narrow_difference<Exact::bits>(on_a[k], on_b[k]); }));
-    const auto exact = depth_of_height<S>(S(0) + S(0), height, normal.vec);
+    const auto exact = depth_of_height<S>(S(0) + S(0), height, squared_length(normal.vec));
     depth = narrow<bits_of<Length<S>>>(exact);
     Contact<S, 3> contact;
     contact.normal = direction_of<S>(normal.vec).value_or(Direction<S, 3>());
@@ -127,17 +132,17 @@ class ObbsContact {
   }
   /// The edge along axis i that is extreme along a normal, and its middle; false if unsure.
   [[nodiscard]] static constexpr bool find_edge(const Obb<S, 3>& box, int i,
-                                                const Vec<Along, 3>& along, bool farthest,
+                                                const Each<Along>& along, bool farthest,
                                                 Vec<Exact, 3>& middle, Face& face) noexcept {
     std::size_t sides = 0;
     for (const int k : {(i + 1) % 3, (i + 2) % 3}) {
-      if (abs(along[k]) < least_along) return false;
-      const bool is_upper = (along[k] > 0) == farthest;
-      middle = moved(middle, edge(box, k), is_upper);
+      if (abs(at(along, k)) < least_along) return false;
+      const bool is_upper = (at(along, k) > 0) == farthest;
+      middle = sum(middle, edge(box, k, is_upper));
       sides |= std::size_t{is_upper} << k;
     }
     for (const bool is_upper : {false, true}) {
-      face.set_next(nearest_to<Length<S>>(moved(middle, edge(box, i), is_upper)),
+      face.set_next(nearest_to<Length<S>>(sum(middle, edge(box, i, is_upper))),
                     sides | std::size_t{is_upper} << i);
     }
     return true;
@@ -156,11 +161,11 @@ class ObbsContact {
   [[nodiscard]] static constexpr Ring ring_of(const Obb<S, 3>& box, int i, bool is_upper,
                                               const Vec<Exact, 3>& middle) noexcept {
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-    const auto first = edge(box, i1), second = edge(box, i2);
     Ring ring;
     for (std::size_t k = 0; k < 4; ++k) {
       const bool upper1 = is_upper_first(k), upper2 = is_upper_second(k);
-      ring.corners[k] = nearest_to<Length<S>>(moved(moved(middle, first, upper1), second, upper2));
+      ring.corners[k] =
+          nearest_to<Length<S>>(sum(sum(middle, edge(box, i1, upper1)), edge(box, i2, upper2)));
       ring.numbers[k] =
           std::size_t{is_upper} << i | std::size_t{upper1} << i1 | std::size_t{upper2} << i2;
     }
@@ -217,20 +222,20 @@ class ObbsContact {
   [[nodiscard]] constexpr std::optional<Crossing> cross_faces(bool a_is_reference, int i, int j,
                                                               bool is_upper) const noexcept {
     const auto extents_of = [](const Obb<S, 3>& box) {
-      return make_vec<3>(
-          [&](int k) { return narrow<29>(as_steps(box.half_extents[k] + box.half_extents[k])); });
+      return to_array(make_vec<3>(
+          [&](int k) { return narrow<29>(as_steps(box.half_extents[k] + box.half_extents[k])); }));
     };
     const auto h = extents_of(a_is_reference ? a_ : b_), g = extents_of(a_is_reference ? b_ : a_);
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
     const auto part = [&](int k, int m) {
-      const auto& cosine = a_is_reference ? filter_.cosines(k)[m] : filter_.cosines(m)[k];
-      return narrow_floor<Flat>(g[m] * cosine);
+      const auto& cosine = a_is_reference ? at(filter_.cosines()[static_cast<std::size_t>(k)], m)
+                                          : at(filter_.cosines()[static_cast<std::size_t>(m)], k);
+      return narrow_floor<Flat>(at(g, m) * cosine);
     };
     const auto middle = [&](int k) {
-      const Flat place(a_is_reference ? filter_.along_a()[k]
-                                      : narrow_negative(filter_.along_b()[k]));
-      return is_upper ? narrow_sum<Flat::bits>(place, part(k, j))
-                      : narrow_difference<Flat::bits>(place, part(k, j));
+      const Flat place(at(a_is_reference ? filter_.along_a() : filter_.along_b(), k));
+      return narrow_sum<Flat::bits>(with_sign(place, !a_is_reference),
+                                    with_sign(part(k, j), !is_upper));
     };
     const auto u = middle(i1), u1 = part(i1, j1), u2 = part(i1, j2);
     const auto v = middle(i2), v1 = part(i2, j1), v2 = part(i2, j2);
@@ -255,10 +260,10 @@ class ObbsContact {
       const auto corner = [&](const Flat& x, const Flat& x1, const Flat& x2) {
         return narrow<31>(x + signed_by(first, x1) + signed_by(second, x2));
       };
-      crossing.incident[k] =
-          outside(corner(u, u1, u2), corner(v, v1, v2), Flat(h[i1]), Flat(h[i2]), margin, is_sure);
-      const auto du = narrow<31>(signed_by(first, Flat(h[i1])) - u);
-      const auto dv = narrow<31>(signed_by(second, Flat(h[i2])) - v);
+      crossing.incident[k] = outside(corner(u, u1, u2), corner(v, v1, v2), Flat(at(h, i1)),
+                                     Flat(at(h, i2)), margin, is_sure);
+      const auto du = narrow<31>(signed_by(first, Flat(at(h, i1))) - u);
+      const auto dv = narrow<31>(signed_by(second, Flat(at(h, i2))) - v);
       const Area x = determinant(du, v2, dv, u2), y = determinant(u1, dv, v1, du);
       crossing.reference[k] =
           outside(signed_by(!crossing.is_reversed, x), signed_by(!crossing.is_reversed, y), whole,
@@ -298,31 +303,28 @@ class ObbsContact {
     const auto normal =
         normal_across(reference.rotation.axis((i + 1) % 3), reference.rotation.axis((i + 2) % 3));
     if (normal.side == 0) return std::nullopt;
-    const auto outward = [&](const Vec<Along, 3>& products) {
-      return a_is_reference ? products : narrow_negative(products);
-    };
-    const bool is_upper = outward(along(normal, reference))[i] > 0;
-    const auto on_reference = moved(center(reference), edge(reference, i), is_upper);
-    const auto toward = outward(along(normal, incident));
-    const int j = longest_axis(toward);
+    const bool is_upper = (at(along(normal, reference), i) > 0) == a_is_reference;
+    const auto on_reference = sum(center(reference), edge(reference, i, is_upper));
+    const auto toward = along(normal, incident);
+    const int j = longest_axis(from_array(toward));
     const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+    const auto length = [&](int k) { return abs(at(toward, k)); };
+    const auto is_deepest = [&](int k) { return (at(toward, k) < 0) == a_is_reference; };
     constexpr auto least_gap = scale_up<Along::bits>(Along::from_raw(1), 36);
-    if (abs(toward[j]) - abs(toward[j1]) < least_gap ||
-        abs(toward[j]) - abs(toward[j2]) < least_gap || abs(toward[j1]) < least_along ||
-        abs(toward[j2]) < least_along)
+    if (length(j) - length(j1) < least_gap || length(j) - length(j2) < least_gap ||
+        length(j1) < least_along || length(j2) < least_along)
       return std::nullopt;
-    const bool is_incident_upper = toward[j] < 0;
-    const auto crossing = cross_faces(a_is_reference, i, j, is_incident_upper);
+    const auto crossing = cross_faces(a_is_reference, i, j, is_deepest(j));
     if (!crossing) return std::nullopt;
-    const auto on_incident = moved(center(incident), edge(incident, j), is_incident_upper);
-    const auto deepest = moved(moved(on_incident, edge(incident, j1), toward[j1] < 0),
-                               edge(incident, j2), toward[j2] < 0);
+    const auto on_incident = sum(center(incident), edge(incident, j, is_deepest(j)));
+    const auto deepest = sum(sum(on_incident, edge(incident, j1, is_deepest(j1))),
+                             edge(incident, j2, is_deepest(j2)));
     Length<S> depth;
     auto contact = a_is_reference ? push_of(normal, on_reference, deepest, depth)
                                   : push_of(normal, deepest, on_reference, depth);
     Builder manifold(contact.normal, depth, S(0), S(0) + S(0));
     const auto ring = ring_of(reference, i, is_upper, on_reference);
-    const auto incident_ring = ring_of(incident, j, is_incident_upper, on_incident);
+    const auto incident_ring = ring_of(incident, j, is_deepest(j), on_incident);
     const bool is_clockwise = (normal.side > 0) != (manifold.seen() == contact.normal);
     const Order order(ring, is_clockwise);
     const Order incident_order(incident_ring, is_clockwise != crossing->is_reversed);

@@ -94,11 +94,9 @@ class AxisFilter {
   /// If `only_axis` is known: the cosines of the angles between axis i of a and each axis of b; where
   /// the center of b is along the axes of a, and from there along those of b; the extents' sum. Off
   /// by less than a step each.
-  [[nodiscard]] constexpr const Vec<ShortCosine, 3>& cosines(int i) const noexcept {
-    return cosines_[static_cast<std::size_t>(i)];
-  }
-  [[nodiscard]] constexpr const Vec<Place, 3>& along_a() const noexcept { return along_a_; }
-  [[nodiscard]] constexpr const Vec<Place, 3>& along_b() const noexcept { return along_b_; }
+  [[nodiscard]] constexpr const auto& cosines() const noexcept { return cosines_; }
+  [[nodiscard]] constexpr const auto& along_a() const noexcept { return along_a_; }
+  [[nodiscard]] constexpr const auto& along_b() const noexcept { return along_b_; }
   [[nodiscard]] constexpr const Fixed<32, 0>& sum() const noexcept { return sum_; }
   /// On which side of a, along `axis`, b is: 1 or -1, exactly; 0 on neither.
   template <Number V>
@@ -150,21 +148,25 @@ class AxisFilter {
       bound_axis(k, depth, error);
       are_apart_ = are_apart_ || depth < -error;
     };
-    std::array<Vec<ShortCosine, 3>, 3> lengths;  // [i][j]: axis i of a, axis j of b
+    std::array<Vec<ShortCosine, 3>, 3> cosines, lengths;  // [i][j]: axis i of a, axis j of b
+    Vec<Place, 3> along_a;
     for_each_axis([&](auto i) {
-      cosines_[i] =
+      cosines[i] =
           make_vec<3>([&](int j) { return narrow_floor<ShortCosine>(cosine(a, i, b, j)); });
-      lengths[i] = make_vec<3>([&](int j) { return abs(cosines_[i][j]); });
-      along_a_[i] = narrow_floor<Place>(a.along(i, apart));
+      lengths[i] = make_vec<3>([&](int j) { return abs(cosines[i][j]); });
+      along_a[i] = narrow_floor<Place>(a.along(i, apart));
+      cosines_[i] = to_array(cosines[i]);
+      along_a_[i] = along_a[i];
       bound_face(2 - i, slack(narrow_sum<61>(extents_a[i], narrow_dot<61>(extents_b, lengths[i])),
-                              along_a_[i]));
+                              along_a[i]));
     });
     if (are_apart_) return;
     for_each_axis([&](auto j) {
       const Vec column{lengths[0][j], lengths[1][j], lengths[2][j]};
-      along_b_[j] = narrow_floor<Place>(b.along(j, apart));
-      bound_face(5 - j, slack(narrow_sum<61>(extents_b[j], narrow_dot<61>(extents_a, column)),
-                              along_b_[j]));
+      const auto along_b = narrow_floor<Place>(b.along(j, apart));
+      along_b_[j] = along_b;
+      bound_face(5 - j,
+                 slack(narrow_sum<61>(extents_b[j], narrow_dot<61>(extents_a, column)), along_b));
     });
     if (are_apart_) return;
     for_each_axis([&](auto i) {
@@ -175,8 +177,8 @@ class AxisFilter {
             narrow_dot<61>(Vec{extents_a[i1], extents_a[i2]}, Vec{lengths[i2][j], lengths[i1][j]});
         const auto reach_b =
             narrow_dot<61>(Vec{extents_b[j1], extents_b[j2]}, Vec{lengths[i][j2], lengths[i][j1]});
-        const auto place = narrow_cross<61>(Vec{cosines_[i1][j], cosines_[i2][j]},
-                                            Vec{along_a_[i1], along_a_[i2]});
+        const auto place =
+            narrow_cross<61>(Vec{cosines[i1][j], cosines[i2][j]}, Vec{along_a[i1], along_a[i2]});
         const auto squared = narrow<58>(square(lengths[i1][j]) + square(lengths[i2][j]));
         bound_edges(6 + 3 * i + j, slack(narrow_sum<61>(reach_a, reach_b), place), squared, error);
       });
@@ -222,8 +224,8 @@ class AxisFilter {
   Vec<decltype((S() + S()) - (S() + S())), 3> apart_;
   std::array<Depth, 15> lows_;
   Depth least_high_ = largest<Depth>;
-  std::array<Vec<ShortCosine, 3>, 3> cosines_;
-  Vec<Place, 3> along_a_, along_b_;
+  std::array<std::array<ShortCosine, 3>, 3> cosines_;  // arrays, for numbers known only at run time
+  std::array<Place, 3> along_a_, along_b_;
   Fixed<32, 0> sum_;
   int dropped_ = 0;
   bool are_apart_ = false;
