@@ -48,7 +48,7 @@ class ObbsContact {
   using Flat = Fixed<31, 0>;
   using Area = Fixed<62, 0>;
 
-  /// No two corners of boxes that touch are farther apart, in half steps.
+  /// In half steps: two corners of boxes that touch are at most 2^28 steps apart.
   static constexpr auto most_sum = Fixed<32, 0>(1 << Filter::length_bits);
   /// Rounding the corners of thicker boxes does not turn their faces over.
   [[nodiscard]] static constexpr bool is_thick(const Obb<S, 3>& box) noexcept {
@@ -246,7 +246,7 @@ class ObbsContact {
       return narrow_difference<Area::bits>(product(x1, y2), product(y1, x2));
     };
     const auto margin = narrow<31>(scale_down<31>(filter_.sum(), 22) + Flat(16));
-    const auto area_margin = narrow_product<Area::bits>(margin, scale_up<33>(filter_.sum(), 4));
+    const auto area_margin = scale_up<Area::bits>(filter_.sum(), 5);
     Crossing crossing;
     const Area area = determinant(u1, v2, v1, u2);
     crossing.is_reversed = area < 0;

@@ -238,11 +238,15 @@ inline constexpr bool is_box_in_space<Aabb<S, 3>> = true;
 template <Scalar S>
 inline constexpr bool is_box_in_space<Obb<S, 3>> = true;
 
-/// The filter of two shapes: of boxes in 3D that may be turned, if it pays.
+/// Whether there is a filter for two shapes: for boxes in 3D that may be turned, if it pays.
+template <class S, class A, class B>
+inline constexpr bool has_axis_filter =
+    is_fixed<S>&& filter_pays<S>&& is_box_in_space<A>&& is_box_in_space<B> &&
+    !(is_kind<A, Aabb> && is_kind<B, Aabb>);
+
 template <Scalar S, class A, class B>
 [[nodiscard]] constexpr auto axis_filter(const A& a, const B& b) noexcept {
-  if constexpr (is_fixed<S> && filter_pays<S> && is_box_in_space<A> && is_box_in_space<B> &&
-                !(is_kind<A, Aabb> && is_kind<B, Aabb>)) {
+  if constexpr (has_axis_filter<S, A, B>) {
     return AxisFilter<S>(a, b);
   } else {
     return AnyAxis();
