@@ -205,7 +205,8 @@ class ObbsContact {
                                                        const T& h2, const Margin& margin,
                                                        bool& is_sure) noexcept {
     const auto beyond_u = abs(u) - h1, beyond_v = abs(v) - h2;
-    is_sure = is_sure & (abs(beyond_u) > margin) & (abs(beyond_v) > margin);
+    const bool u_is_sure = abs(beyond_u) > margin, v_is_sure = abs(beyond_v) > margin;
+    is_sure = is_sure & u_is_sure & v_is_sure;  // one branch, which is predictable
     return std::uint32_t{beyond_v > 0} << (v < 0 ? 0 : 2) | std::uint32_t{beyond_u > 0}
                                                                 << (u < 0 ? 3 : 1);
   }
