@@ -281,16 +281,20 @@ class ObbsContact {
                                                        const Order& reference,
                                                        const Order& incident) noexcept {
     Overlay<8> overlay;
+    // Per edge of the reference: the incident edges whose lines it crosses.
+    std::array<std::uint32_t, 4> crossing_lines{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto outside = crossing.reference[reference.corner(i)];
+      overlay.under |= std::uint32_t{outside == 0} << i;
+      crossing_lines[i] = outside ^ crossing.reference[reference.corner(i + 1)];
+    }
     for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t c = incident.corner(k), next = incident.corner(k + 1);
-      overlay.over |= std::uint32_t{crossing.incident[c] == 0} << k;
-      const std::size_t r = reference.corner(k);
-      overlay.under |= std::uint32_t{crossing.reference[r] == 0} << k;
-      const auto passed = crossing.incident[c] ^ crossing.incident[next];
+      const auto outside = crossing.incident[incident.corner(k)];
+      overlay.over |= std::uint32_t{outside == 0} << k;
+      const auto crossed_lines = outside ^ crossing.incident[incident.corner(k + 1)];
       for (std::size_t i = 0; i < 4; ++i) {
-        const auto passing =
-            crossing.reference[reference.corner(i)] ^ crossing.reference[reference.corner(i + 1)];
-        overlay.crossed[k] |= (passed >> reference.edge(i) & passing >> incident.edge(k) & 1) << i;
+        overlay.crossed[k] |=
+            (crossed_lines >> reference.edge(i) & crossing_lines[i] >> incident.edge(k) & 1) << i;
       }
     }
     return overlay;
