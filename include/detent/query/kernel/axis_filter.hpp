@@ -91,12 +91,14 @@ class AxisFilter {
     if (!std::has_single_bit(axes) || !(lows_[first] > 0) || dropped_ > 0) return std::nullopt;
     return first;
   }
-  /// If `only_axis` is known: the cosines of the angles between axis i of a and each axis of b; where
-  /// the center of b is along the axes of a, and from there along those of b; the extents' sum. Off
-  /// by less than a step each.
+  // Valid if `only_axis` is known; off by less than a step each.
+
+  /// The cosine of the angle between axis i of a and axis j of b: [i][j].
   [[nodiscard]] constexpr const auto& cosines() const noexcept { return cosines_; }
+  /// The way from the center of a to that of b along the axes of a, and along those of b.
   [[nodiscard]] constexpr const auto& along_a() const noexcept { return along_a_; }
   [[nodiscard]] constexpr const auto& along_b() const noexcept { return along_b_; }
+  /// The sum of all extents.
   [[nodiscard]] constexpr const Fixed<32, 0>& sum() const noexcept { return sum_; }
   /// On which side of a, along `axis`, b is: 1 or -1, exactly; 0 on neither.
   template <Number V>
