@@ -46,7 +46,10 @@ struct Feature {
     for (std::size_t i = 0; i < count; ++i) {
       if (corners[i] == corner) return;
     }
-    if (count == most) return;
+    if (count < most) set_next(corner, number);
+  }
+  /// Adds a corner that is different from all others.
+  constexpr void set_next(const Corner<S, N>& corner, std::size_t number) noexcept {
     corners.set(count, corner);
     numbers[count++] = static_cast<std::uint8_t>(number % 255);
   }

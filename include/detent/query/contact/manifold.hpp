@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -16,6 +17,15 @@
 #include "detent/query/kernel/rounded_point.hpp"
 
 namespace detent::detail {
+
+/// Which points two faces have in common, seen along a direction, a bit each: incident corners over
+/// the reference, the edges of the reference that each incident edge crosses, and corners of the
+/// reference under the incident face.
+template <std::size_t Most>
+struct Overlay {
+  std::uint32_t over = 0, under = 0;
+  std::array<std::uint32_t, Most> crossed{};
+};
 
 /// The contact points of two features that face each other across a contact's normal, projected
 /// along it. Corners on the grid and the rounded normal are taken as exact; each coordinate and
@@ -59,19 +69,13 @@ class ContactBuilder {
     } else if (b.count == 1) {
       add(b.corners[0], true, depth_, both(corner_or_edge(a), corner(b, 0)));
     } else if constexpr (N == 3) {
-      const auto e = a.corners[1] - a.corners[0], f = b.corners[1] - b.corners[0];
-      const auto all = dot(normal_, cross(e, f));
-      if (all == 0) {
+      if (!meet_edges(a, b)) {
         a_is_reference_ = seen_ == normal_;
         const auto& first = a_is_reference_ ? a : b;
         const auto& other = a_is_reference_ ? b : a;
         const auto along = first.corners[1] - first.corners[0];
         overlap(first, other, other.corners[0], squared_length(along),
                 [&](const Corner<S, 3>& p) { return dot(along, p - first.corners[0]); });
-      } else {
-        const auto part = dot(normal_, cross(b.corners[0] - a.corners[0], f));
-        add_between(a.corners[0], a.corners[1], part, all, false, depth_,
-                    both(edge(a, 0, 1), edge(b, 0, 1)), a.corners[0]);
       }
     }
     if (count_ == 0) add(b.corners[0], true, depth_, both(face, corner(b, 0)));
@@ -89,6 +93,39 @@ class ContactBuilder {
     }
     if (count_ == 0) add(lowest, plane_is_a, depth_, both_by_role(face, corner(incident, 0)));
   }
+
+  /// Adds the point where two edges cross, seen along the normal; false if they are parallel.
+  [[nodiscard]] constexpr bool meet_edges(const Face& a, const Face& b) noexcept requires(N == 3) {
+    const auto e = a.corners[1] - a.corners[0], f = b.corners[1] - b.corners[0];
+    const auto all = dot(normal_, cross(e, f));
+    if (all == 0) return false;
+    const auto part = dot(normal_, cross(b.corners[0] - a.corners[0], f));
+    add_between(a.corners[0], a.corners[1], part, all, false, depth_,
+                both(edge(a, 0, 1), edge(b, 0, 1)), a.corners[0]);
+    return true;
+  }
+
+  /// Intersects two faces, given as outlines, if it is known where they cross; their corners are at
+  /// most 2^29 steps from each other. False if there are no points.
+  [[nodiscard]] constexpr bool meet_faces(bool a_is_reference, const Face& reference,
+                                          const Face& incident, const Corner<S, N>& deepest,
+                                          const Overlay<Most>& overlay) noexcept requires(N == 3) {
+    a_is_reference_ = a_is_reference;
+    const auto relative = [&](const Face& feature) {
+      VecList<Fixed<29, S::frac>, N, Most> corners;
+      for (std::size_t i = 0; i < feature.count; ++i) {
+        corners.set(i, narrow<29>(feature.corners[i] - reference.corners[0]));
+      }
+      return corners;
+    };
+    const auto corners = relative(reference), incident_corners = relative(incident);
+    add_points(overlay, reference, Rim(seen_, corners, reference.count), incident,
+               Rim(seen_, incident_corners, incident.count), deepest);
+    return count_ > 0;
+  }
+
+  /// The positive one of the normal and its opposite: invariant under swapping the shapes.
+  [[nodiscard]] constexpr const Direction<S, N>& seen() const noexcept { return seen_; }
 
   /// Writes the points to keep: the deepest, the farthest from it, and in 3D those that add the
   /// largest area on either side of the line through these two. Ties go to the first point.
@@ -344,6 +381,26 @@ class ContactBuilder {
     add(deepest, a_is_reference_, depth_, both_by_role(face, corner(incident, 0)));
   }
 
+  /// On which side of something points are, a bit each.
+  struct Sides {
+    std::uint32_t inside = 0, outside = 0;
+
+    template <Number Side>
+    constexpr void set(std::size_t i, const Side& side) noexcept {
+      inside |= std::uint32_t{side > 0} << i;
+      outside |= std::uint32_t{side < 0} << i;
+    }
+    /// The sides of the next of `count` points, in place of each.
+    [[nodiscard]] constexpr Sides of_next(std::size_t count) const noexcept {
+      const auto turned = [&](std::uint32_t bits) { return bits >> 1 | (bits & 1) << (count - 1); };
+      return {turned(inside), turned(outside)};
+    }
+    /// Where the other side is the opposite.
+    [[nodiscard]] constexpr std::uint32_t opposite(const Sides& other) const noexcept {
+      return (inside & other.outside) | (outside & other.inside);
+    }
+  };
+
   /// The edges of an outline, seen along a direction.
   template <Number T>
   struct Rim {
@@ -362,12 +419,23 @@ class ContactBuilder {
     [[nodiscard]] constexpr auto side(std::size_t i, const Vec<T, 3>& point) const noexcept {
       return dot(across[i], point - corners[i]);
     }
-    /// Whether a point is over the outline, or at most `slack` steps outside.
-    [[nodiscard]] constexpr bool is_under(const Vec<T, 3>& point, int slack) const noexcept {
+    /// On which side of each edge a point is.
+    [[nodiscard]] constexpr Sides sides_of(const Vec<T, 3>& point) const noexcept {
+      Sides sides;
+      for (std::size_t i = 0; i < count; ++i) sides.set(i, side(i, point));
+      return sides;
+    }
+    /// On which side of edge i the corners of another outline are.
+    [[nodiscard]] constexpr Sides sides_along(std::size_t i, const Rim& other) const noexcept {
+      Sides sides;
+      for (std::size_t k = 0; k < other.count; ++k) sides.set(k, side(i, other.corners[k]));
+      return sides;
+    }
+    /// Whether a point is at most `slack` steps outside.
+    [[nodiscard]] constexpr bool is_near(const Vec<T, 3>& point, int slack) const noexcept {
       for (std::size_t i = 0; i < count; ++i) {
         const auto turn = side(i, point);
         if (turn >= 0) continue;
-        if (slack == 0) return false;
         if (square(turn) > squared_distance(corners[i], corners[next(i)]) * square(steps(slack)))
           return false;
       }
@@ -386,27 +454,65 @@ class ContactBuilder {
   constexpr void clip_within(const Face& reference, const Rim<T>& rim, const Face& incident,
                              const Rim<T>& incident_rim, const Corner<S, 3>& deepest,
                              int slack) noexcept {
-    for (std::size_t i = 0; i < incident.count; ++i) {
-      if (!rim.is_under(incident_rim.corners[i], slack)) continue;
-      const auto& q = incident.corners[i];
-      add(q, a_is_reference_, depth_less(drop(q, deepest)),
-          both_by_role(face, corner(incident, i)));
+    const auto is_within = [&](const Rim<T>& outline, std::uint32_t outside, const auto& point) {
+      return outside == 0 || (slack > 0 && outline.is_near(point, slack));
+    };
+    Overlay<Most> overlay;
+    std::array<Sides, Most> sides;  // of the edges of the reference, on which incident corners are
+    for (std::size_t k = 0; k < incident.count; ++k) {
+      const auto& point = incident_rim.corners[k];
+      sides[k] = rim.sides_of(point);
+      overlay.over |= std::uint32_t{is_within(rim, sides[k].outside, point)} << k;
     }
-    cross_all_edges(reference, rim, incident, incident_rim, deepest);
-    for (std::size_t i = 0; i < reference.count && incident.count > 1; ++i) {
-      const auto& r = rim.corners[i];
-      if (!incident_rim.is_under(r, slack)) continue;
-      bool is_corner = false;
+    if (incident.count > 1) {
+      const std::size_t edges = incident.count == 2 ? 1 : incident.count;
+      std::uint32_t inside = ~std::uint32_t{0}, outside = 0;  // corners of the reference
       for (std::size_t k = 0; k < incident.count; ++k) {
-        is_corner = is_corner || is_zero(cross(seen_, r - incident_rim.corners[k]));
+        const auto along = incident_rim.sides_along(k, rim);
+        inside &= along.inside;
+        outside |= along.outside;
+        if (k < edges) {
+          overlay.crossed[k] = sides[k].opposite(sides[incident_rim.next(k)]) &
+                               along.opposite(along.of_next(reference.count));
+        }
       }
-      if (is_corner) continue;
+      for (std::size_t i = 0; i < reference.count; ++i) {
+        const auto& r = rim.corners[i];
+        bool is_under = is_within(incident_rim, outside >> i & 1, r);
+        // A corner that is strictly inside does not coincide with one of the incident feature.
+        for (std::size_t k = 0; k < incident.count && (inside >> i & 1) == 0; ++k) {
+          is_under = is_under && !is_zero(cross(seen_, r - incident_rim.corners[k]));
+        }
+        overlay.under |= std::uint32_t{is_under} << i;
+      }
+    }
+    add_points(overlay, reference, rim, incident, incident_rim, deepest);
+  }
+
+  template <Number T>
+  constexpr void add_points(const Overlay<Most>& overlay, const Face& reference, const Rim<T>& rim,
+                            const Face& incident, const Rim<T>& incident_rim,
+                            const Corner<S, 3>& deepest) noexcept {
+    const auto for_each_bit = [](std::uint32_t bits, const auto& f) {
+      for (; bits != 0; bits &= bits - 1) f(static_cast<std::size_t>(std::countr_zero(bits)));
+    };
+    for_each_bit(overlay.over, [&](std::size_t k) {
+      const auto& q = incident.corners[k];
+      add(q, a_is_reference_, depth_less(drop(q, deepest)),
+          both_by_role(face, corner(incident, k)));
+    });
+    for (std::size_t k = 0; k < incident.count; ++k) {
+      for_each_bit(overlay.crossed[k], [&](std::size_t i) {
+        cross_edges(reference, rim, i, incident, incident_rim, k, deepest);
+      });
+    }
+    for_each_bit(overlay.under, [&](std::size_t i) {
       if (incident.count == 2) {
         add_under_segment(reference, i, incident, deepest);
       } else {
         add_under_face(reference, i, incident, deepest);
       }
-    }
+    });
   }
 
   /// Adds corner i of the reference, if it is over the incident segment between its ends.
@@ -445,41 +551,6 @@ class ContactBuilder {
     }
   }
 
-  /// Adds the crossings of all edges of the reference and the incident feature.
-  template <Number T>
-  constexpr void cross_all_edges(const Face& reference, const Rim<T>& rim, const Face& incident,
-                                 const Rim<T>& incident_rim, const Corner<S, 3>& deepest) noexcept {
-    const std::size_t edges = incident.count < 3 ? incident.count - 1 : incident.count;
-    if (edges == 0) return;
-    // On which side of the edges of the reference the incident corners are: the first, and in turn
-    // the two ends of an edge.
-    std::array<NumberList<decltype(rim.side(0, Vec<T, 3>())), Most>, 3> sides;
-    const auto find = [&](std::size_t at, std::size_t k) {
-      for (std::size_t i = 0; i < reference.count; ++i) {
-        sides[at].set(i, rim.side(i, incident_rim.corners[k]));
-      }
-      return at;
-    };
-    for (std::size_t k = 0, start = find(0, 0), end = 0; k < edges; ++k, start = end) {
-      const std::size_t l = k + 1 < incident.count ? k + 1 : 0;
-      end = l == 0 ? 0 : find(1 + k % 2, l);
-      for (std::size_t i = 0; i < reference.count; ++i) {
-        const auto& from = sides[start][i];
-        const auto& to = sides[end][i];
-        if (!are_opposite(from, to)) continue;
-        const std::size_t j = rim.next(i);
-        const auto first_side = incident_rim.side(k, rim.corners[i]);
-        const auto second_side = incident_rim.side(k, rim.corners[j]);
-        if (!are_opposite(first_side, second_side)) continue;
-        cross_edges(reference, i, j, part_of(first_side, second_side), incident, k, l,
-                    part_of(from, to), deepest);
-      }
-    }
-  }
-  template <Number Side>
-  [[nodiscard]] static constexpr bool are_opposite(const Side& x, const Side& y) noexcept {
-    return (x < 0 && y > 0) || (x > 0 && y < 0);
-  }
   /// x / (x - y) for numbers of opposite signs.
   template <Number Side>
   [[nodiscard]] static constexpr auto part_of(const Side& x, const Side& y) noexcept {
@@ -489,12 +560,16 @@ class ContactBuilder {
                  : make_ratio_below_one(All(x), all);
   }
 
-  /// Adds the crossing of the edge from i to j of the reference and the edge from k to l of the
-  /// incident feature, at the given parts of them.
-  template <class Part>
-  constexpr void cross_edges(const Face& reference, std::size_t i, std::size_t j, const Part& part,
-                             const Face& incident, std::size_t k, std::size_t l,
-                             const Part& incident_part, const Corner<S, 3>& deepest) noexcept {
+  /// Adds the crossing of edge i of the reference and edge k of the incident feature.
+  template <Number T>
+  constexpr void cross_edges(const Face& reference, const Rim<T>& rim, std::size_t i,
+                             const Face& incident, const Rim<T>& incident_rim, std::size_t k,
+                             const Corner<S, 3>& deepest) noexcept {
+    const std::size_t j = rim.next(i), l = incident_rim.next(k);
+    const auto part =
+        part_of(incident_rim.side(k, rim.corners[i]), incident_rim.side(k, rim.corners[j]));
+    const auto incident_part =
+        part_of(rim.side(i, incident_rim.corners[k]), rim.side(i, incident_rim.corners[l]));
     const auto& r = reference.corners;
     const auto& q = incident.corners;
     const auto from = drop(q[k], deepest), to = drop(q[l], deepest);

@@ -9,6 +9,7 @@
 #include "detent/query/contact/boxes.hpp"
 #include "detent/query/contact/contact.hpp"
 #include "detent/query/contact/manifold.hpp"
+#include "detent/query/contact/obbs.hpp"
 #include "detent/query/contact/segment_box.hpp"
 #include "detent/query/contact/sphere_box.hpp"
 #include "detent/query/contact/spheres.hpp"
@@ -142,6 +143,34 @@ struct FacedPush {
   Feature<S, N, Most> a, b;
 };
 
+/// The contact of two cores as any convex bodies; `filter` is that of the cores: see axis_filter.hpp.
+template <Scalar S, int N, class A, class B, class Filter>
+[[nodiscard]] constexpr std::optional<Contact<S, N>> contact_of_bodies(
+    const A& a, const B& b, const S& radius_a, const S& radius_b, const Filter& filter) noexcept {
+  const auto corners_a = corners_of(a);
+  const auto corners_b = corners_of(b);
+  const auto body_a = body_of_corners(corners_a);
+  const auto body_b = body_of_corners(corners_b);
+  constexpr auto most =
+      most_corners_of<std::remove_cvref_t<decltype(body_a)>, std::remove_cvref_t<decltype(body_b)>>;
+  using Faced = FacedPush<S, N, most>;
+  const auto push = least_push_between<S>(
+      body_a, body_b, radius_a + radius_b, filter,
+      [&](const auto& normal, const Depth<S>& depth, const auto&... known) {
+        return std::optional<Faced>({unit_of<S>(normal), depth,
+                                     face_along<S, most>(body_a, normal, true, known.a...),
+                                     face_along<S, most>(body_b, normal, false, known.b...)});
+      });
+  if (!push) return std::nullopt;
+  const auto& normal = push->normal;
+  return make_contact<most>(normal, push->depth, radius_a, radius_b, [&](auto& manifold) {
+    manifold.meet(
+        push->a, push->b,
+        [&](const auto& deepest) { return opposed_feature(a, body_a, deepest, -normal); },
+        [&](const auto& deepest) { return opposed_feature(b, body_b, deepest, normal); });
+  });
+}
+
 template <Scalar S, int N, class A, class B>
 [[nodiscard]] constexpr std::optional<Contact<S, N>> contact_of_cores(const A& a, const B& b,
                                                                       const S& radius_a,
@@ -182,28 +211,10 @@ template <Scalar S, int N, class A, class B>
     }
     const auto filter = axis_filter<S>(a, b);
     if (filter.are_apart()) return std::nullopt;
-    const auto corners_a = corners_of(a);
-    const auto corners_b = corners_of(b);
-    const auto body_a = body_of_corners(corners_a);
-    const auto body_b = body_of_corners(corners_b);
-    constexpr auto most = most_corners_of<std::remove_cvref_t<decltype(body_a)>,
-                                          std::remove_cvref_t<decltype(body_b)>>;
-    using Faced = FacedPush<S, N, most>;
-    const auto push = least_push_between<S>(
-        body_a, body_b, radius_a + radius_b, filter,
-        [&](const auto& normal, const Depth<S>& depth, const auto&... known) {
-          return std::optional<Faced>({unit_of<S>(normal), depth,
-                                       face_along<S, most>(body_a, normal, true, known.a...),
-                                       face_along<S, most>(body_b, normal, false, known.b...)});
-        });
-    if (!push) return std::nullopt;
-    const auto& normal = push->normal;
-    return make_contact<most>(normal, push->depth, radius_a, radius_b, [&](auto& manifold) {
-      manifold.meet(
-          push->a, push->b,
-          [&](const auto& deepest) { return opposed_feature(a, body_a, deepest, -normal); },
-          [&](const auto& deepest) { return opposed_feature(b, body_b, deepest, normal); });
-    });
+    if constexpr (is_kind<A, Obb> && is_kind<B, Obb> && has_axis_filter<S, A, B>) {
+      if (const auto found = ObbsContact<S>(a, b, filter).find()) return found;
+    }
+    return contact_of_bodies<S, N>(a, b, radius_a, radius_b, filter);
   }
 }
 

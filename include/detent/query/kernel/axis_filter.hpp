@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "detent/number/filter/components.hpp"
@@ -56,6 +59,11 @@ struct AnyAxis {
 template <Scalar S>
 class AxisFilter {
  public:
+  static constexpr int length_bits = 28;
+  /// Doubled lengths, of which the last bits may be dropped.
+  using Length = Fixed<length_bits + 1, 0>;
+  using Place = Fixed<length_bits + 3, 0>;
+
   template <class A, class B>
   constexpr AxisFilter(const A& a, const B& b) noexcept
       : apart_(doubled_center(b) - doubled_center(a)) {
@@ -65,15 +73,33 @@ class AxisFilter {
       const auto magnitudes = (... | (abs(v.x).raw() | abs(v.y).raw() | abs(v.z).raw()));
       return (std::max)(bit_length(magnitudes) - length_bits, 0);
     };
-    const int dropped = dropped_of(extents_a, extents_b, apart_);
-    bound(frame_of(a), cut(extents_a, dropped), frame_of(b), cut(extents_b, dropped),
-          cut(apart_, dropped));
+    dropped_ = dropped_of(extents_a, extents_b, apart_);
+    bound(frame_of(a), cut(extents_a, dropped_), frame_of(b), cut(extents_b, dropped_),
+          cut(apart_, dropped_));
   }
 
   [[nodiscard]] constexpr bool are_apart() const noexcept { return are_apart_; }
   [[nodiscard]] constexpr bool can_be_least(std::size_t i) const noexcept {
     return lows_[i] <= least_high_;
   }
+  /// The only axis that can be the least push, if that push is positive and no bits of lengths were
+  /// dropped.
+  [[nodiscard]] constexpr std::optional<std::size_t> only_axis() const noexcept {
+    std::uint32_t axes = 0;
+    for (std::size_t i = 0; i < lows_.size(); ++i) axes |= std::uint32_t{can_be_least(i)} << i;
+    const auto first = static_cast<std::size_t>(std::countr_zero(axes));
+    if (!std::has_single_bit(axes) || !(lows_[first] > 0) || dropped_ > 0) return std::nullopt;
+    return first;
+  }
+  // Valid if `only_axis` is known; off by less than a step each.
+
+  /// The cosine of the angle between axis i of a and axis j of b: [i][j].
+  [[nodiscard]] constexpr const auto& cosines() const noexcept { return cosines_; }
+  /// The way from the center of a to that of b along the axes of a, and along those of b.
+  [[nodiscard]] constexpr const auto& along_a() const noexcept { return along_a_; }
+  [[nodiscard]] constexpr const auto& along_b() const noexcept { return along_b_; }
+  /// The sum of all extents.
+  [[nodiscard]] constexpr const Fixed<32, 0>& sum() const noexcept { return sum_; }
   /// On which side of a, along `axis`, b is: 1 or -1, exactly; 0 on neither.
   template <Number V>
   [[nodiscard]] constexpr int side_of(const Vec<V, 3>& axis) const noexcept {
@@ -83,9 +109,6 @@ class AxisFilter {
 
  private:
   static_assert(bits_of<direction_component<S>> > 30, "detent: the lemma is for axes of 32 bits");
-  static constexpr int length_bits = 28;
-  using Length = Fixed<length_bits + 1, 0>;
-  using Place = Fixed<length_bits + 3, 0>;
   using Slack = Fixed<62, ShortCosine::frac>;
   using Depth = Fixed<42, 0>;
   /// Shorter cross products of two axes may be too inexact.
@@ -114,11 +137,11 @@ class AxisFilter {
                        const Vec<Length, 3>& extents_b, const Vec<Length, 3>& apart) noexcept {
     if (!is_square(a) || !is_square(b)) return;
     using Error = Fixed<32, 0>;
-    auto sum = Error(extents_a.x);
+    sum_ = Error(extents_a.x);
     for (const auto& extent : {extents_a.y, extents_a.z, extents_b.x, extents_b.y, extents_b.z}) {
-      sum = narrow<32>(sum + extent);
+      sum_ = narrow<32>(sum_ + extent);
     }
-    const auto error = narrow<32>(scale_down<32>(sum, 18) + Error(32));
+    const auto error = narrow<32>(scale_down<32>(sum_, 18) + Error(32));
     const auto slack = [](const auto& reach, const auto& place) {
       return narrow_difference<62>(reach, abs(place));
     };
@@ -134,14 +157,18 @@ class AxisFilter {
           make_vec<3>([&](int j) { return narrow_floor<ShortCosine>(cosine(a, i, b, j)); });
       lengths[i] = make_vec<3>([&](int j) { return abs(cosines[i][j]); });
       along_a[i] = narrow_floor<Place>(a.along(i, apart));
+      cosines_[i] = to_array(cosines[i]);
+      along_a_[i] = along_a[i];
       bound_face(2 - i, slack(narrow_sum<61>(extents_a[i], narrow_dot<61>(extents_b, lengths[i])),
                               along_a[i]));
     });
     if (are_apart_) return;
     for_each_axis([&](auto j) {
       const Vec column{lengths[0][j], lengths[1][j], lengths[2][j]};
-      bound_face(5 - j, slack(narrow_sum<61>(extents_b[j], narrow_dot<61>(extents_a, column)),
-                              narrow_floor<Place>(b.along(j, apart))));
+      const auto along_b = narrow_floor<Place>(b.along(j, apart));
+      along_b_[j] = along_b;
+      bound_face(5 - j,
+                 slack(narrow_sum<61>(extents_b[j], narrow_dot<61>(extents_a, column)), along_b));
     });
     if (are_apart_) return;
     for_each_axis([&](auto i) {
@@ -199,6 +226,10 @@ class AxisFilter {
   Vec<decltype((S() + S()) - (S() + S())), 3> apart_;
   std::array<Depth, 15> lows_;
   Depth least_high_ = largest<Depth>;
+  std::array<std::array<ShortCosine, 3>, 3> cosines_;  // arrays, for numbers known only at run time
+  std::array<Place, 3> along_a_, along_b_;
+  Fixed<32, 0> sum_;
+  int dropped_ = 0;
   bool are_apart_ = false;
 };
 
@@ -209,11 +240,15 @@ inline constexpr bool is_box_in_space<Aabb<S, 3>> = true;
 template <Scalar S>
 inline constexpr bool is_box_in_space<Obb<S, 3>> = true;
 
-/// The filter of two shapes: of boxes in 3D that may be turned, if it pays.
+/// Whether there is a filter for two shapes: for boxes in 3D that may be turned, if it pays.
+template <class S, class A, class B>
+inline constexpr bool has_axis_filter =
+    is_fixed<S>&& filter_pays<S>&& is_box_in_space<A>&& is_box_in_space<B> &&
+    !(is_kind<A, Aabb> && is_kind<B, Aabb>);
+
 template <Scalar S, class A, class B>
 [[nodiscard]] constexpr auto axis_filter(const A& a, const B& b) noexcept {
-  if constexpr (is_fixed<S> && filter_pays<S> && is_box_in_space<A> && is_box_in_space<B> &&
-                !(is_kind<A, Aabb> && is_kind<B, Aabb>)) {
+  if constexpr (has_axis_filter<S, A, B>) {
     return AxisFilter<S>(a, b);
   } else {
     return AnyAxis();
