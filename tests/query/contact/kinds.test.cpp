@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/contact.hpp"
+#include "detent/query/overlaps.hpp"
+#include "detent/shape/moved.hpp"
 #include "query/shapes_at.hpp"
 
 namespace detent::test {
@@ -10,17 +12,23 @@ TEMPLATE_TEST_CASE("contact: the least translation for every two kinds of shapes
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const auto right = toward<S, N>(1);
-  const auto check = [](const auto& found, double depth, const auto& normal) {
+  const auto check = [](const auto& a, const auto& b, double depth, const auto& normal) {
+    const auto found = contact(a, b);
     REQUIRE(found.has_value() == (depth >= 0));
+    CHECK(overlaps(a, b) == found.has_value());
     if (!found) return;
     CHECK(found->normal == normal);
     CHECK(found->depth == num<S>(depth));
+    // A hull is a view of points, which only its owner can move.
+    if constexpr (is_fixed<S> && requires { translated(b, separation(*found)); }) {
+      CHECK_FALSE(overlaps(a, translated(b, separation(*found))));
+    }
   };
   visit_wide_shapes<S, N>(-3, [&](const auto& a) {
     for (const double overlap : {0.5, 0.0, -1.0}) {
       visit_wide_shapes<S, N>(-1 - overlap, [&](const auto& b) {
-        check(contact(a, b), overlap, right);
-        check(contact(b, a), overlap, -right);
+        check(a, b, overlap, right);
+        check(b, a, overlap, -right);
       });
     }
   });
