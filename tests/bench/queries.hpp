@@ -184,31 +184,4 @@ void visit_intersects(const Visit& visit) {
   visit(query<Segment, Segment>("intersects/segment", ask_intersects, {0, 0}));
 }
 
-/// The name of a row, and its golden counts.
-struct TargetRow {
-  std::string_view name;
-  Golden golden;
-};
-/// Visits the query of a shape and a target of casts, 0 to 7.
-template <template <class, int> class Shape, int N, int Target, class Visit, class Ask>
-void visit_target(const Visit& visit, const Ask& ask, const TargetRow& row) {
-  if constexpr (Target == 0) {
-    visit(query<Shape, Sphere, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 1) {
-    visit(query<Shape, Aabb, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 2) {
-    visit(query<Shape, Obb, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 3) {
-    visit(query<Shape, Triangle, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 4) {
-    visit(query<Shape, Capsule, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 5) {
-    visit(query<Shape, Rock, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 6) {
-    visit(query<Shape, Segment, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 7) {
-    visit(query<Shape, Plane, N>(row.name, ask, row.golden));
-  }
-}
-
 }  // namespace detent::bench
