@@ -8,17 +8,16 @@
 
 namespace detent {
 
-/// Filter: several quotients with the same denominator, of magnitude 2^-7 to 2 if `is_sure`
+/// Filter: several quotients with the same denominator, from 2^-7 to 2 if `is_sure`
 /// (docs/filters.md, lemma 37).
 class SharedQuotient {
  public:
   explicit constexpr SharedQuotient(const Fixed<62, 60>& under) noexcept {
     const std::int64_t raw = under.raw();
-    const auto word = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
-    is_sure = word >= std::uint64_t{1} << 53;
+    is_sure = raw >= std::int64_t{1} << 53;
+    const auto word = static_cast<std::uint64_t>(raw);
     const int zeros = std::countl_zero(word | 1);  // GCC branches on 0
-    const auto inverse = static_cast<std::int64_t>(detail::reciprocal(word << zeros));
-    inverse_ = raw < 0 ? -inverse : inverse;
+    inverse_ = static_cast<std::int64_t>(detail::reciprocal(word << zeros));
     down_ = (10 - zeros) & 63;
   }
 

@@ -136,9 +136,11 @@ template <Scalar S, int N>
     return Decided<Vec<S, N>>{point, is_sure};
   };
   if constexpr (N == 2) {
-    const SharedQuotient over_area(narrow<62>(cross(m, n)));
-    const Vec over{narrow_difference<63>(a.offset * n.y, b.offset * m.y),
-                   narrow_difference<63>(b.offset * m.x, a.offset * n.x)};
+    const auto area = narrow<62>(cross(m, n));
+    const auto signed_as_area = [&](const auto& x) { return with_sign(x, area < 0); };
+    const SharedQuotient over_area(signed_as_area(area));
+    const Vec over{signed_as_area(narrow_difference<63>(a.offset * n.y, b.offset * m.y)),
+                   signed_as_area(narrow_difference<63>(b.offset * m.x, a.offset * n.x))};
     return decide(
         over_area.is_sure, [&](int i) { return over_area(over[i]); }, Steps<16>());
   } else {
@@ -164,7 +166,7 @@ template <Scalar S, int N>
           return narrow_sum<63>(narrow_floor<Value>(along_m * Unit(m[i])),
                                 narrow_floor<Value>(along_n * Unit(n[i])));
         },
-        Steps<512>());
+        Steps<256>());
   }
 }
 
