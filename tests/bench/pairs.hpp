@@ -52,30 +52,6 @@ struct PairRow {
   Golden golden;
 };
 
-/// The number of shapes that make pairs: the columns of the tables.
-inline constexpr int column_count = 8;
-
-/// Calls `visit` with the shape of a column.
-template <int Column, class Visit>
-void with_shape(const Visit& visit) {
-  if constexpr (Column == 0) {
-    visit.template operator()<Sphere>();
-  } else if constexpr (Column == 1) {
-    visit.template operator()<Aabb>();
-  } else if constexpr (Column == 2) {
-    visit.template operator()<Obb>();
-  } else if constexpr (Column == 3) {
-    visit.template operator()<Capsule>();
-  } else if constexpr (Column == 4) {
-    visit.template operator()<Triangle>();
-  } else if constexpr (Column == 5) {
-    visit.template operator()<Rock>();
-  } else if constexpr (Column == 6) {
-    visit.template operator()<Segment>();
-  } else if constexpr (Column == 7) {
-    visit.template operator()<Plane>();
-  }
-}
 /// Calls `visit` with every column.
 template <class Visit>
 void for_each_column(const Visit& visit) {
