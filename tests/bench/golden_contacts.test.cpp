@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "bench/golden_check.hpp"
-#include "bench/pairs.hpp"
+#include "bench/still_pairs.hpp"
 
 using namespace detent::bench;
 
-TEST_CASE("golden: contacts have their hit counts") {
-  visit_round_contacts(check_golden);
-  visit_flat_contacts(check_golden);
-  visit_hull_contacts(check_golden);
+TEST_CASE("golden: contacts in 3D have their hit counts") {
+  visit_pairs<PairQuery::contact, 3>(check_golden);
+}
+TEST_CASE("golden: contacts in 2D have their hit counts") {
+  visit_pairs<PairQuery::contact, 2>(check_golden);
 }

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "bench/golden_check.hpp"
-#include "bench/pairs.hpp"
+#include "bench/still_pairs.hpp"
 
 using namespace detent::bench;
 
-TEST_CASE("golden: distances of two shapes have their hit counts") {
-  visit_round_distances(check_golden);
-  visit_flat_distances(check_golden);
+TEST_CASE("golden: distances of two shapes in 3D have their hit counts") {
+  visit_pairs<PairQuery::distance, 3>(check_golden);
 }
-TEST_CASE("golden: closest points of two shapes have their hit counts") {
-  visit_round_closest_points(check_golden);
-  visit_flat_closest_points(check_golden);
-  visit_hull_closest_points(check_golden);
+TEST_CASE("golden: distances of two shapes in 2D have their hit counts") {
+  visit_pairs<PairQuery::distance, 2>(check_golden);
 }

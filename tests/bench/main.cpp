@@ -10,6 +10,7 @@
 
 #include "bench/pairs.hpp"
 #include "bench/results.hpp"
+#include "bench/still_pairs.hpp"
 
 namespace detent::bench {
 
@@ -140,14 +141,12 @@ int run(int count, char** arguments) {
   add_intersects(suite);
   add_hulls(suite);
   add_planar(suite);
-  add_round_distances(suite);
-  add_flat_distances(suite);
-  add_round_closest_points(suite);
-  add_flat_closest_points(suite);
-  add_hull_closest_points(suite);
-  add_round_contacts(suite);
-  add_flat_contacts(suite);
-  add_hull_contacts(suite);
+  add_pairs<PairQuery::distance, 3>(suite);
+  add_pairs<PairQuery::distance, 2>(suite);
+  add_pairs<PairQuery::closest_points, 3>(suite);
+  add_pairs<PairQuery::closest_points, 2>(suite);
+  add_pairs<PairQuery::contact, 3>(suite);
+  add_pairs<PairQuery::contact, 2>(suite);
   add_casts<MovingSphere, 3>(suite);
   add_casts<MovingSphere, 2>(suite);
   add_casts<MovingAabb, 3>(suite);

@@ -184,30 +184,28 @@ void visit_intersects(const Visit& visit) {
   visit(query<Segment, Segment>("intersects/segment", ask_intersects, {0, 0}));
 }
 
-/// The name of a row, and its golden counts.
-struct TargetRow {
-  std::string_view name;
-  Golden golden;
-};
-/// Visits the query of a shape and a target of casts, 0 to 7.
-template <template <class, int> class Shape, int N, int Target, class Visit, class Ask>
-void visit_target(const Visit& visit, const Ask& ask, const TargetRow& row) {
-  if constexpr (Target == 0) {
-    visit(query<Shape, Sphere, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 1) {
-    visit(query<Shape, Aabb, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 2) {
-    visit(query<Shape, Obb, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 3) {
-    visit(query<Shape, Triangle, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 4) {
-    visit(query<Shape, Capsule, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 5) {
-    visit(query<Shape, Rock, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 6) {
-    visit(query<Shape, Segment, N>(row.name, ask, row.golden));
-  } else if constexpr (Target == 7) {
-    visit(query<Shape, Plane, N>(row.name, ask, row.golden));
+/// The number of shapes that make pairs: the columns of the tables of pairs.
+inline constexpr int column_count = 8;
+
+/// Calls `visit` with the shape of a column.
+template <int Column, class Visit>
+void with_shape(const Visit& visit) {
+  if constexpr (Column == 0) {
+    visit.template operator()<Sphere>();
+  } else if constexpr (Column == 1) {
+    visit.template operator()<Aabb>();
+  } else if constexpr (Column == 2) {
+    visit.template operator()<Obb>();
+  } else if constexpr (Column == 3) {
+    visit.template operator()<Capsule>();
+  } else if constexpr (Column == 4) {
+    visit.template operator()<Triangle>();
+  } else if constexpr (Column == 5) {
+    visit.template operator()<Rock>();
+  } else if constexpr (Column == 6) {
+    visit.template operator()<Segment>();
+  } else if constexpr (Column == 7) {
+    visit.template operator()<Plane>();
   }
 }
 

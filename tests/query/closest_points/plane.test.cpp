@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/closest_points/plane.hpp"
 
+#include <cmath>
+
 #include "detent/math/direction.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
@@ -43,6 +45,53 @@ void compare(std::uint64_t seed) {
   }
   CHECK(wrong == 0);
   CHECK(sure.percent() >= 30);
+}
+
+/// Compares the filter with the exact point of two planes, where a coordinate is near a midpoint.
+template <int N>
+void compare_planes(std::uint64_t seed) {
+  using S = q16_16;
+  Random random(seed);
+  INFO(random);
+  int wrong = 0;
+  HitRate sure;
+  const auto raw = [&](int bits) {
+    return S::from_raw(static_cast<S::raw_type>(random.wide(bits)));
+  };
+  for (int i = 0; i < 500; ++i) {
+    const auto vec = [&] { return make_vec<N>([&](int) { return raw(24); }); };
+    const auto m = normalize(vec()), n = normalize(vec());
+    if (!m || !n) continue;
+    const auto as_double = [](const auto& v) {
+      return make_vec<N>([&](int k) { return static_cast<double>(v[k]); });
+    };
+    const auto u = as_double(*m), v = as_double(*n);
+    const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), whole = uu * vv - uv * uv;
+    const auto per_a = (u * vv - v * uv) * (65536 / whole);
+    const auto per_b = (v * uu - u * uv) * (65536 / whole);
+    for (int j = 0; j < 2'000; ++j) {
+      const Plane<S, N> a{*m, raw(28)}, b{*n, raw(28)};
+      const auto steps =
+          per_a * static_cast<double>(a.offset) + per_b * static_cast<double>(b.offset);
+      bool is_near = j < 20;
+      for (int k = 0; k < N; ++k) {
+        is_near |= std::abs(steps[k] - std::floor(steps[k]) - 0.5) * 65536 < 1;
+      }
+      if (!is_near) continue;
+      const auto found = detail::decide_point_of_planes(a, b);
+      sure.count(found.is_sure);
+      if (!found.is_sure) continue;
+      wrong += found.value == detail::exact_closest_points_of_planes(a, b).first ? 0 : 1;
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(sure.percent() >= 30);
+}
+
+TEST_CASE("closest_points, plane: the filter rounds the point of two planes like the exact point",
+          "[closest_points]") {
+  compare_planes<2>(0x91b2);
+  compare_planes<3>(0x91b3);
 }
 
 TEST_CASE("closest_points, plane: the filter rounds the foot of a corner like the exact point",

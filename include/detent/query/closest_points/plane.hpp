@@ -7,6 +7,7 @@
 
 #include "detent/math/width.hpp"
 #include "detent/number/filter/filtered.hpp"
+#include "detent/number/filter/shared_quotient.hpp"
 #include "detent/query/kernel/common_point.hpp"
 #include "detent/query/kernel/least_common_point.hpp"
 #include "detent/query/kernel/line.hpp"
@@ -115,13 +116,67 @@ template <Scalar S, int N, class Body>
   }
 }
 
+/// Filter: the point that two planes share, the one closest to the origin (docs/filters.md, lemma
+/// 37).
+template <Scalar S, int N>
+[[nodiscard]] constexpr Decided<Vec<S, N>> decide_point_of_planes(const Plane<S, N>& a,
+                                                                  const Plane<S, N>& b) noexcept {
+  const auto& m = a.normal.vec();
+  const auto& n = b.normal.vec();
+  // Of both factors together, 64 bits are dropped: only the high word of a product is computed.
+  using Unit = Fixed<63, 62>;
+  const auto decide = [](bool is_sure, const auto& at, const auto& error) {
+    constexpr int bits = S::bits - 1 + decltype(at(0))::frac - S::frac;
+    const auto point = make_vec<N>([&](int i) {
+      const auto x = at(i);
+      const auto nearest = decide_nearest<S>(Approximate{x, error});
+      is_sure &= nearest.is_sure & fits<bits>(x);  // no branch per coordinate
+      return nearest.value;
+    });
+    return Decided<Vec<S, N>>{point, is_sure};
+  };
+  if constexpr (N == 2) {
+    const auto area = narrow<62>(cross(m, n));
+    const auto signed_as_area = [&](const auto& x) { return with_sign(x, area < 0); };
+    const SharedQuotient over_area(signed_as_area(area));
+    const Vec over{signed_as_area(narrow_difference<63>(a.offset * n.y, b.offset * m.y)),
+                   signed_as_area(narrow_difference<63>(b.offset * m.x, a.offset * n.x))};
+    return decide(
+        over_area.is_sure, [&](int i) { return over_area(over[i]); }, Steps<16>());
+  } else {
+    const auto unit = [](const auto& x) {
+      return Unit::assume_raw(shift_left(narrow<61>(x).raw(), 2));
+    };
+    const auto mm = unit(dot(m, m)), nn = unit(dot(n, n)), mn = unit(dot(m, n));
+    using Square = Fixed<62, 60>;
+    const SharedQuotient over_square(
+        narrow_difference<62>(narrow_floor<Square>(mm * nn), narrow_floor<Square>(mn * mn)));
+    using Offset = Fixed<63, S::frac + 32>;
+    using Over = Fixed<63, S::frac + 30>;
+    const Offset at_a(a.offset), at_b(b.offset);
+    const auto share = [&](const Offset& here, const Unit& square, const Offset& there) {
+      return over_square(
+          narrow_difference<63>(narrow_floor<Over>(here * square), narrow_floor<Over>(there * mn)));
+    };
+    const auto along_m = share(at_a, nn, at_b), along_n = share(at_b, mm, at_a);
+    using Value = Fixed<62, S::frac + 20>;
+    return decide(
+        over_square.is_sure,
+        [&](int i) {
+          return narrow_sum<63>(narrow_floor<Value>(along_m * Unit(m[i])),
+                                narrow_floor<Value>(along_n * Unit(n[i])));
+        },
+        Steps<256>());
+  }
+}
+
 /// The closest points of two planes: those closest to the origin.
 ///
 /// Planes that are not parallel meet in a line, in 2D in a point. With normals m and n, and the
 /// line's direction u = m x n, the line's point closest to the origin is
 /// (a.offset n x u + b.offset u x m) / u^2.
 template <Scalar S, int N>
-[[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_of_planes(
+[[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> exact_closest_points_of_planes(
     const Plane<S, N>& a, const Plane<S, N>& b) noexcept {
   const auto& m = a.normal.vec();
   const auto& n = b.normal.vec();
@@ -143,6 +198,15 @@ template <Scalar S, int N>
         RationalPoint{cross(n, u) * a.offset + cross(u, m) * b.offset, squared_length(u)});
   }
   return {point, point};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_of_planes(
+    const Plane<S, N>& a, const Plane<S, N>& b) noexcept {
+  if constexpr (is_fixed<S> && filter_pays<S>) {
+    const auto point = decide_point_of_planes(a, b);
+    if (point.is_sure) return {point.value, point.value};
+  }
+  return exact_closest_points_of_planes(a, b);
 }
 
 }  // namespace detent::detail

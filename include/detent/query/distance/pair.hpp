@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "detent/number/min_max.hpp"
 #include "detent/query/distance/aabb.hpp"
 #include "detent/query/distance/hull.hpp"
 #include "detent/query/distance/obb.hpp"
@@ -39,7 +40,8 @@ template <Scalar S, int N, class Body>
   return lowest > 0 ? lowest : highest < 0 ? highest : Height();
 }
 
-/// The same for a core. A box reaches as far from its center along the normal as its edges together.
+/// The same for a core. A box reaches as far from its center along the normal as its edges together;
+/// if its axes are the world's, a corner is lowest if each product is the lesser one of its axis.
 template <Scalar S, int N, class Core>
 [[nodiscard]] constexpr auto height_of_core(const Plane<S, N>& plane, const Core& core) noexcept {
   if constexpr (is_kind<Core, Vec>) {
@@ -55,6 +57,18 @@ template <Scalar S, int N, class Core>
     return center > reach    ? Height(center - reach)
            : center < -reach ? Height(center + reach)
                              : Height();
+  } else if constexpr (is_kind<Core, Aabb>) {
+    // The bits of height_above(plane, corner), which this is.
+    constexpr int bits = bits_of<S> + bits_of<direction_component<S>> + 1;
+    const auto along = [&](const S& x, int i) { return x * plane.normal[i]; };
+    auto lowest = narrow_difference<bits>(decltype(along(S(), 0))(), plane.offset);
+    auto highest = lowest;
+    for (int i = 0; i < N; ++i) {
+      const auto low = along(core.min[i], i), high = along(core.max[i], i);
+      lowest = narrow_sum<bits>(lowest, (min)(low, high));
+      highest = narrow_sum<bits>(highest, (max)(low, high));
+    }
+    return lowest > 0 ? lowest : highest < 0 ? highest : decltype(lowest)();
   } else {
     return height_of_body(plane, body_of(core));
   }

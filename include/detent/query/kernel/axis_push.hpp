@@ -57,18 +57,35 @@ class AxisPush {
     using Result = Push<Vec<Axis, N>, decltype(dot(Vec<Axis, N>(), Vec<T, N>()))>;
     std::optional<Result> best;
     if (!a_.has_few_edges() || !b_.has_few_edges()) return best;
-    const auto offer = [&](const auto& axis, int sign) {
-      if (is_zero(axis) || (best && !(best->height > 0))) return;
-      const auto across = make_vec<N>([&](int i) { return Axis(axis[i]); });
-      const auto normal = sign < 0 ? narrow_negative(across) : across;
-      const Result push{normal, dot(normal, farthest(normal))};
+    const auto push_along = [&](const Vec<Axis, N>& normal) {
+      return Result{normal, dot(normal, farthest(normal))};
+    };
+    const auto offer = [&](const Result& push) {
       if (!best || !(push.height > 0) || is_less(push, *best)) best = push;
     };
+    const auto is_done = [&] { return best && !(best->height > 0); };
     for_each_axis([&](std::size_t i) { return filter.can_be_least(i); },
                   [&](const auto& axis) {
+                    if (is_zero(axis) || is_done()) return;
+                    const auto along = make_vec<N>([&](int i) { return Axis(axis[i]); });
+                    const auto back = narrow_negative(along);
                     const int side = filter.side_of(axis);
-                    if (side >= 0) offer(axis, 1);
-                    if (side <= 0) offer(axis, -1);
+                    if (side != 0) return offer(push_along(side > 0 ? along : back));
+                    const auto push = push_along(along);
+                    if constexpr (is_fixed<T>) {
+                      if (push.height > 0) {
+                        // Their normals are of one length, so their heights compare them.
+                        const auto other = push_along(back);
+                        const bool is_other =
+                            other.height < push.height ||
+                            (other.height == push.height && is_preferred(back, along));
+                        return offer(is_other ? other : push);
+                      }
+                      best = push;
+                    } else {
+                      offer(push);
+                      if (!is_done()) offer(push_along(back));
+                    }
                   });
     return best;
   }

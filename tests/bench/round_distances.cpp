@@ -1,7 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "bench/pairs.hpp"
-#include "bench/suite.hpp"
-
-void detent::bench::add_round_distances(Suite& suite) {
-  visit_round_distances([&](const auto& query) { suite.add_pair(query); });
-}
