@@ -16,16 +16,6 @@
 
 namespace detent::test {
 
-/// The point (x, y, z), or (x, y) in 2D.
-template <Scalar S, int N>
-constexpr Vec<S, N> at(double x, double y = 0, double z = 0) {
-  if constexpr (N == 2) {
-    return {num<S>(x), num<S>(y)};
-  } else {
-    return {num<S>(x), num<S>(y), num<S>(z)};
-  }
-}
-
 /// The corners of a frustum along z, from a square of side 2 at 1 to one of side 4 at 2.
 template <Scalar S>
 std::array<Vec<S, 3>, 8> frustum_corners() {
