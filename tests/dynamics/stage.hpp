@@ -7,9 +7,7 @@
 namespace detent::test {
 
 /// A point in q16_16.
-inline Vec<q16_16, 3> at3(double x, double y, double z) {
-  return at<q16_16, 3>(x, y, z);
-}
+inline Vec<q16_16, 3> at3(double x, double y, double z) { return at<q16_16, 3>(x, y, z); }
 
 /// A box with this center and half extents; in 3D its depth equals its width, at z = 0.
 template <Scalar S, int N>
