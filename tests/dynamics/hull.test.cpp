@@ -14,6 +14,7 @@
 #include "dynamics/stage.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
+#include "support/seal.hpp"
 
 namespace detent::test {
 namespace {
@@ -241,9 +242,7 @@ TEST_CASE("hull body: a snapshot is restored with its hulls, and refused without
   for (std::size_t i = 0; i + 8 < bytes.size(); ++i) {
     auto changed = bytes;
     changed[i] = static_cast<std::byte>(static_cast<unsigned char>(changed[i]) ^ 1u);
-    Digest sum;
-    sum.add_bytes(std::span<const std::byte>(changed).first(changed.size() - 8));
-    detail::store_word(changed.data() + changed.size() - 8, sum.value());
+    seal(changed);
     Hulls<S> target;
     pile.put(target, 0);
     if (restore(target, changed, pile.solids) == Restored::yes) {

@@ -10,6 +10,7 @@
 #include "dynamics/stage.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
+#include "support/seal.hpp"
 
 namespace detent::test {
 namespace {
@@ -184,16 +185,11 @@ TEST_CASE("push: locked axes, sensors and per-body gravity are in snapshots") {
   // A snapshot that spells out defaults or zero pushes, or has unknown bits, is invalid.
   detail::WorldAccess::bodies(world)[0].push.x = detail::Formats<S>::Speed::from_raw(1);
   auto bytes = snapshot(world);
-  const auto sign = [&] {
-    Digest digest;
-    digest.add_bytes(std::span<const std::byte>(bytes).first(bytes.size() - 8));
-    detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
-  };
   for (std::size_t i = 56; i + 8 < bytes.size(); ++i) {
     const auto whole = bytes;
     for (int bit = 0; bit < 8; ++bit) {
       bytes[i] ^= std::byte{1} << bit;
-      sign();
+      seal(bytes);
       Flat again;
       if (restore(again, bytes) == Restored::yes) CHECK(snapshot(again) == bytes);
       bytes = whole;

@@ -7,6 +7,7 @@
 
 #include "dynamics/stage.hpp"
 #include "support/catch.hpp"
+#include "support/seal.hpp"
 
 namespace detent::test {
 namespace {
@@ -37,13 +38,6 @@ Balls<S, N> heap() {
   Balls<S, N> world;
   for (std::uint32_t i = 0; i < ball_count; ++i) put_ball(world, i);
   return world;
-}
-
-/// Recomputes the checksum, the last 8 bytes, after a change.
-void sign(Bytes& bytes) {
-  Digest digest;
-  digest.add_bytes(std::span<const std::byte>(bytes).first(bytes.size() - 8));
-  detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
 }
 
 TEMPLATE_TEST_CASE("snapshot: a restored world continues bit for bit", "", q16_16, q14_16, q24_8,
@@ -150,7 +144,7 @@ TEST_CASE("snapshot: hostile bytes change nothing and do no harm") {
       bytes[i] ^= static_cast<std::byte>(1 << bit);
       REQUIRE(restore(fresh, bytes) != Restored::yes);  // the checksum is wrong
       REQUIRE(digest(fresh) == before);
-      sign(bytes);
+      seal(bytes);
       auto target = fresh;
       if (restore(target, bytes) == Restored::yes) {
         ++accepted;

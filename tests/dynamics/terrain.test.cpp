@@ -16,6 +16,7 @@
 #include "dynamics/terrain.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
+#include "support/seal.hpp"
 
 namespace detent::test {
 namespace {
@@ -344,9 +345,7 @@ TEST_CASE("terrain: wrong assets and hostile bytes leave the world unchanged") {
     auto changed = bytes;
     const auto at = random.below(changed.size() - 72) + 64;
     changed[at] ^= static_cast<std::byte>(1u << random.below(8));
-    Digest sum;
-    sum.add_bytes(std::span<const std::byte>(changed).first(changed.size() - 8));
-    detail::store_word(changed.data() + changed.size() - 8, sum.value());
+    seal(changed);
     Ground<S> victim;
     if (land.restored(victim, changed) != Restored::yes) continue;
     ++read;

@@ -8,6 +8,7 @@
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
+#include "support/seal.hpp"
 
 namespace detent::test {
 namespace {
@@ -108,12 +109,6 @@ JointedWorld<S, N> scene() {
   for (std::uint32_t i = 0; i < body_count; ++i) put_body(world, i);
   for (std::uint32_t i = 0; i < joint_total; ++i) put_joint(world, i);
   return world;
-}
-
-void sign(Bytes& bytes) {
-  Digest digest;
-  digest.add_bytes(std::span<const std::byte>(bytes).first(bytes.size() - 8));
-  detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
 }
 
 template <class F>
@@ -233,7 +228,7 @@ TEST_CASE("joint: hostile bytes change nothing and do no harm") {
   const auto before = digest(fresh);
   int refused = 0, accepted = 0;
   const auto attempt = [&](Bytes bytes, bool steps) {
-    sign(bytes);
+    seal(bytes);
     auto target = fresh;
     if (restore(target, bytes) == Restored::yes) {
       ++accepted;
