@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "detent/scene/snapshot.hpp"
 #include "support/catch.hpp"
 #include "support/seal.hpp"
 
