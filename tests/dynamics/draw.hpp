@@ -27,4 +27,24 @@ Vec<T, N> draw_unit(Random& random) {
   return from_array(v);
 }
 
+/// Numbers within 4 units or, if `wild`, any.
+template <Scalar S, int N>
+struct Numbers {
+  Random& random;
+  bool wild;
+
+  S any() const { return draw<S>(random, S::bits); }
+  S operator()() const {
+    return wild ? any() : quotient_nearest<S>(static_cast<int>(random.between(-1000, 1000)), 250);
+  }
+  /// Not negative, except for the lowest number.
+  S size() const {
+    const auto x = (*this)();
+    return x < 0 && x > S::lowest() ? saturate_to<S>(-x) : x;
+  }
+  Vec<S, N> point() const {
+    return make_vec<N>([&](int) { return (*this)(); });
+  }
+};
+
 }  // namespace detent::test

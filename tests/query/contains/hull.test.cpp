@@ -63,8 +63,7 @@ TEMPLATE_TEST_CASE("contains, hull: one raw unit decides, at the ends of the dom
                    "[contains]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  const auto [low, side, high] = half_domain<S, N>();
-  const Points<S, N, 3> half{low, side, high};
+  const auto half = half_domain<S, N>();
   CHECK(holds(half, low));
   CHECK(holds(half, filled<S, N>(S(0))));
   auto beside = Vec<S, N>();

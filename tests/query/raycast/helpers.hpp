@@ -79,6 +79,21 @@ constexpr Direction<S, N> three_four_fifths() {
   return *Direction<S, N>::from_raw(raw);
 }
 
+/// A rotation with these axes x and y and, in 3D, the default z.
+template <Scalar S, int N>
+Rotation<S, N> frame(const Direction<S, N>& x, const Direction<S, N>& y) {
+  if constexpr (N == 2) {
+    return Rotation<S, 2>::from_axes({x, y});
+  } else {
+    return Rotation<S, 3>::from_axes({x, y, Direction<S, 3>::along(2)});
+  }
+}
+/// Local x is along (x, y), local y to the left of it, and local z is unchanged.
+template <Scalar S, int N>
+Rotation<S, N> heading(double x, double y) {
+  return frame(toward<S, N>(x, y), toward<S, N>(-y, x));
+}
+
 /// The distance; checks that the three raycasts agree on whether and where the ray enters.
 template <Scalar S, int N, class Shape>
 std::optional<S> distance(const Ray<S, N>& ray, const Shape& shape) {
