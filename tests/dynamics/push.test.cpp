@@ -8,6 +8,7 @@
 #include "detent/dynamics/snapshot.hpp"
 #include "dynamics/scenes.hpp"
 #include "dynamics/stage.hpp"
+#include "dynamics/step_alike.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 #include "support/seal.hpp"
@@ -150,11 +151,7 @@ TEST_CASE("push: pending forces are in snapshots and digests") {
   Flat other;
   REQUIRE(restore(other, snapshot(world)) == Restored::yes);
   CHECK(digest(other) == digest(world));
-  for (int i = 0; i < 10; ++i) {
-    world.step();
-    other.step();
-    REQUIRE(digest(other) == digest(world));
-  }
+  step_alike(world, other, 10);
   CHECK(snapshot(world).size() == plain);
   CHECK(d(world.velocity(box).x) > 0);
   CHECK(world.velocity(twin).x == S(0));
@@ -174,11 +171,7 @@ TEST_CASE("push: locked axes, sensors and per-body gravity are in snapshots") {
   const auto start = digest_of(world, locked);
   Flat other;
   REQUIRE(restore(other, snapshot(world)) == Restored::yes);
-  for (int i = 0; i < 40; ++i) {
-    world.step();
-    other.step();
-    REQUIRE(digest(other) == digest(world));
-  }
+  step_alike(world, other, 40);
   CHECK(digest_of(world, locked) != start);
   CHECK(world.contains(sensor));
   CHECK(is_close(world.velocity(heavy).y, -2 * 10 * 40 / 60.0, 0.02));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dynamics/stage.hpp"
+#include "dynamics/step_alike.hpp"
 #include "support/catch.hpp"
 #include "support/seal.hpp"
 
@@ -55,11 +56,7 @@ TEMPLATE_TEST_CASE("snapshot: a restored world continues bit for bit", "", q16_1
         REQUIRE(restore(fresh, bytes) == Restored::yes);
         CHECK(snapshot(fresh) == bytes);
         auto copy = world;
-        for (int i = 0; i < 100; ++i) {
-          copy.step();
-          fresh.step();
-          REQUIRE(digest(copy) == digest(fresh));
-        }
+        step_alike(copy, fresh, 100);
       }
       world.step();
     }

@@ -5,6 +5,7 @@
 
 #include "detent/scene/difference.hpp"
 #include "dynamics/joint/helpers.hpp"
+#include "dynamics/step_alike.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
@@ -133,11 +134,7 @@ TEST_CASE("joint: a restored world continues bit for bit") {
         REQUIRE(snapshot(fresh) == bytes);
         CHECK(fresh.joint_count() == world.joint_count());
         auto copy = world;
-        for (int i = 0; i < 60; ++i) {
-          REQUIRE(digest(copy) == digest(fresh));
-          copy.step();
-          fresh.step();
-        }
+        step_alike(copy, fresh, 60);
       }
       world.step();
     }
