@@ -13,7 +13,6 @@
 namespace detent::test {
 namespace {
 
-using Bytes = std::vector<std::byte>;
 
 template <class S, int N>
 using Balls = World<S, N, Sphere>;

@@ -64,7 +64,7 @@ TEMPLATE_TEST_CASE("contains, hull: one raw unit decides, at the ends of the dom
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const auto half = half_domain<S, N>();
-  CHECK(holds(half, low));
+  CHECK(holds(half, half[0]));
   CHECK(holds(half, filled<S, N>(S(0))));
   auto beside = Vec<S, N>();
   beside.x = moved(S(0), 1);
