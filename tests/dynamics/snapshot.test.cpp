@@ -13,7 +13,6 @@
 namespace detent::test {
 namespace {
 
-
 template <class S, int N>
 using Balls = World<S, N, Sphere>;
 
