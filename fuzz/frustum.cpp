@@ -9,6 +9,7 @@
 #include "detent/query/overlaps/frustum.hpp"
 #include "detent/query/raycast/frustum.hpp"
 #include "detent/shape/camera.hpp"
+#include "oracle/describe.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/view.hpp"
 #include "ray_truth.hpp"
