@@ -4,6 +4,7 @@
 #include <string>
 
 #include "decode.hpp"
+#include "oracle/describe.hpp"
 #include "oracle/hull.hpp"
 //
 #include "oracle/cast_judge.hpp"

@@ -5,6 +5,7 @@
 
 #include "detent/query/contact.hpp"
 #include "decode.hpp"
+#include "oracle/describe.hpp"
 #include "oracle/hull.hpp"
 //
 #include "oracle/contact_answer.hpp"

@@ -3,15 +3,14 @@
 // Frusta of eight points or of a camera: overlaps, intersects, contains and the raycasts give the
 // exact result, and `project` puts a point inside the image where the camera sees it.
 
-#include "decode.hpp"
-// The hull helpers come before the headers that look them up.
-#include "oracle/hull.hpp"
-//
 #include "detent/query/contains/frustum.hpp"
+#include "decode.hpp"
 #include "detent/query/intersects/frustum.hpp"
 #include "detent/query/overlaps/frustum.hpp"
 #include "detent/query/raycast/frustum.hpp"
 #include "detent/shape/camera.hpp"
+#include "oracle/describe.hpp"
+#include "oracle/hull.hpp"
 #include "oracle/view.hpp"
 #include "ray_truth.hpp"
 #include "spaces.hpp"

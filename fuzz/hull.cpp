@@ -3,11 +3,8 @@
 // Points and rays against convex hulls: contains, on, distance, closest_point and the raycasts give
 // the exact result, rounded as their docstrings say.
 
-#include "decode.hpp"
-// The hull helpers come before the headers that look them up.
-#include "oracle/hull.hpp"
-//
 #include "detent/query/closest_point/hull.hpp"
+#include "decode.hpp"
 #include "detent/query/contains/hull.hpp"
 #include "detent/query/distance/hull.hpp"
 #include "detent/query/on.hpp"

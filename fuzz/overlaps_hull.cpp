@@ -3,9 +3,6 @@
 // Convex hulls against every shape and segments, in both orders: overlaps and intersects are exact.
 
 #include "decode.hpp"
-// The hulls come before the header that looks them up.
-#include "oracle/hull.hpp"
-//
 #include "pairs.hpp"
 
 namespace detent::fuzz {

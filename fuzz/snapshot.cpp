@@ -17,6 +17,7 @@
 #include "detent/scene/mesh.hpp"
 #include "detent/scene/snapshot.hpp"
 #include "property.hpp"
+#include "support/seal.hpp"
 
 namespace detent::fuzz {
 namespace {
@@ -103,9 +104,7 @@ void seal(std::vector<std::byte>& bytes) {
   constexpr std::size_t length_at = 36;
   if (bytes.size() < detail::SnapshotHeader::size + detail::SnapshotHeader::checksum_size) return;
   detail::store_word(bytes.data() + length_at, std::uint64_t{bytes.size()});
-  Digest digest;
-  digest.add_bytes(std::span(bytes).first(bytes.size() - 8));
-  detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
+  test::seal(bytes);
 }
 
 template <class Scene>

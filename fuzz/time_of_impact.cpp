@@ -4,6 +4,7 @@
 // time if there is none, and at that time as close as stated.
 
 #include "decode.hpp"
+#include "oracle/describe.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/impact_truth.hpp"
 #include "spaces.hpp"

@@ -16,6 +16,7 @@
 #include "detent/dynamics/dynamics.hpp"
 #include "property.hpp"
 #include "source.hpp"
+#include "support/seal.hpp"
 
 namespace detent::fuzz {
 namespace {
@@ -149,9 +150,7 @@ void seal(Snapshot& bytes) {
   bytes.resize(
       (std::max)(bytes.size(), detail::WorldHeader::size + detail::WorldHeader::checksum_size));
   detail::store_word(bytes.data() + length_at, std::uint64_t{bytes.size()});
-  Digest digest;
-  digest.add_bytes(std::span(bytes).first(bytes.size() - 8));
-  detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
+  test::seal(bytes);
 }
 
 int restored = 0, refused = 0;

@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "scene/any_scene.hpp"
 #include "support/catch.hpp"
+#include "support/seal.hpp"
 #include "support/shapes.hpp"
 
 using namespace detent;
@@ -164,12 +165,7 @@ Restored restored(const std::string& bytes) {
 
 /// The bytes with a valid checksum.
 std::string sealed(std::string bytes) {
-  constexpr auto size = detail::SnapshotHeader::checksum_size;
-  Digest digest;
-  digest.add_bytes(std::as_bytes(std::span(bytes)).first(bytes.size() - size));
-  for (std::size_t i = 0; i < size; ++i) {
-    bytes[bytes.size() - size + i] = static_cast<char>(digest.value() >> (8 * i));
-  }
+  test::seal(std::as_writable_bytes(std::span(bytes)));
   return bytes;
 }
 

@@ -12,6 +12,7 @@
 #include "detent/scene/sync_test.hpp"
 #include "dynamics/stage.hpp"
 #include "support/catch.hpp"
+#include "support/seal.hpp"
 
 namespace detent::test {
 namespace {
@@ -239,9 +240,7 @@ TEST_CASE("compound: hostile bytes change nothing and do no harm") {
     for (const int bit : {0, 1, 5}) {
       auto bytes = good;
       bytes[i] ^= static_cast<std::byte>(1 << bit);
-      Digest sum;
-      sum.add_bytes(std::span<const std::byte>(bytes).first(bytes.size() - 8));
-      detail::store_word(bytes.data() + bytes.size() - 8, sum.value());
+      seal(bytes);
       auto target = fresh;
       if (restore(target, bytes, yard.assets()) == Restored::yes) {
         ++accepted;

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "dynamics/draw.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
 
 namespace detent::test {
 namespace {
@@ -16,14 +16,6 @@ using Ready = detail::ReadyContact<S, 3>;
 using State = detail::BodyContact<S, 3>;
 using Bodies = std::vector<detail::Moving<S, 3>>;
 
-template <class T>
-T draw(Random& random, int bits) {
-  const auto end = std::int64_t{1} << bits;
-  auto raw = random.between(-end, end - 1);
-  if (random.coin()) raw = raw >> random.between(0, bits) << random.between(0, bits / 2);
-  raw = raw < -end ? -end : raw >= end ? end - 1 : raw;
-  return T::assume_raw(static_cast<typename T::raw_type>(raw));
-}
 template <class T>
 void draw(Random& random, int bits, Vec<T, 3>& v) {
   for (int i = 0; i < 3; ++i) v[i] = draw<T>(random, bits);

@@ -2,54 +2,38 @@
 // Bodies with numbers from their whole range: assertions hold, and worlds stay valid.
 #include "detent/dynamics/dynamics.hpp"
 
+#include "dynamics/draw.hpp"
 #include "dynamics/stage.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
 
 namespace detent::test {
 namespace {
 
-template <Scalar S>
-S any(Random& random) {
-  return S::from_raw(static_cast<typename S::raw_type>(random.edgy(S::bits)));
-}
-/// Within 4 units.
-template <Scalar S>
-S small(Random& random) {
-  return quotient_nearest<S>(static_cast<int>(random.between(-1000, 1000)), 250);
-}
-
 template <Scalar S, int N>
 void add_any(World<S, N, Sphere, Obb, Capsule, Aabb>& world, Random& random) {
-  const bool wild = random.one_in(4);
-  const auto number = [&] { return wild ? any<S>(random) : small<S>(random); };
-  const auto point = [&] { return make_vec<N>([&](int) { return number(); }); };
-  const auto size = [&] {
-    const auto x = number();
-    return x < 0 && x > S::lowest() ? saturate_to<S>(-x) : x;
-  };
+  const Numbers<S, N> number{random, random.one_in(4)};
   BodyOptions<S, N> options;
   if (random.one_in(4)) {
     options.motion = random.coin() ? BodyMotion::fixed : BodyMotion::kinematic;
   }
   if (random.one_in(3)) {
-    options.density = any<S>(random);
-    options.friction = any<S>(random);
-    options.restitution = any<S>(random);
-    options.linear_damping = any<S>(random);
-    options.angular_damping = any<S>(random);
+    options.density = number.any();
+    options.friction = number.any();
+    options.restitution = number.any();
+    options.linear_damping = number.any();
+    options.angular_damping = number.any();
   }
   options.is_fast = world.size() % 3 == 0;
-  options.velocity = point();
+  options.velocity = number.point();
   for (auto& w : options.angular_velocity) w = number();
   switch (random.below(4)) {
     case 0:
-      (void)world.add(Sphere<S, N>{point(), size()}, options);
+      (void)world.add(Sphere<S, N>{number.point(), number.size()}, options);
       break;
     case 1: {
-      Obb<S, N> box{point(), {}, {}};
-      for (int i = 0; i < N; ++i) box.half_extents[i] = size();
+      Obb<S, N> box{number.point(), {}, {}};
+      for (int i = 0; i < N; ++i) box.half_extents[i] = number.size();
       const auto angle = Angle<S>::turn(static_cast<int>(random.below(1000)), 1000);
       if constexpr (N == 2) {
         box.rotation = Rotation<S, 2>::from_angle(angle);
@@ -60,10 +44,10 @@ void add_any(World<S, N, Sphere, Obb, Capsule, Aabb>& world, Random& random) {
       break;
     }
     case 2:
-      (void)world.add(Capsule<S, N>{point(), point(), size()}, options);
+      (void)world.add(Capsule<S, N>{number.point(), number.point(), number.size()}, options);
       break;
     default:
-      (void)world.add(Aabb<S, N>{point(), point()}, options);
+      (void)world.add(Aabb<S, N>{number.point(), number.point()}, options);
       break;
   }
 }
@@ -75,16 +59,17 @@ TEMPLATE_TEST_CASE("extremes: bodies with any numbers step without harm", "", DE
   constexpr int N = TestType::dimension;
   Random random(20261123);
   CAPTURE(random.seed());
+  const Numbers<S, N> number{random, true};
   std::size_t contacts = 0;
   for (int round = 0; round < 100; ++round) {
     CAPTURE(round);
     WorldSettings<S, N> settings;
     if (round % 4 == 0) {
-      settings.gravity = make_vec<N>([&](int) { return any<S>(random); });
-      settings.margin = any<S>(random);
-      settings.push_speed = any<S>(random);
-      settings.bounce_threshold = any<S>(random);
-      settings.sleep_speed = any<S>(random);
+      settings.gravity = number.point();
+      settings.margin = number();
+      settings.push_speed = number();
+      settings.bounce_threshold = number();
+      settings.sleep_speed = number();
     }
     World<S, N, Sphere, Obb, Capsule, Aabb> world(settings);
     for (int i = 0; i < 20; ++i) add_any<S, N>(world, random);

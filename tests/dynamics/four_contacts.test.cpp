@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "detent/dynamics/flight.hpp"
+#include "dynamics/draw.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
 
 namespace detent::test {
 namespace {
@@ -17,34 +17,10 @@ using Ready = detail::ReadyContact<S, 3>;
 using State = detail::BodyContact<S, 3>;
 using Group = detail::ContactGroup<S>;
 
-template <class T>
-T draw(Random& random, int bits) {
-  const auto end = std::int64_t{1} << bits;
-  auto raw = random.between(-end, end - 1);
-  if (random.one_in(4)) raw = raw >> random.between(0, bits) << random.between(0, bits / 2);
-  raw = raw < -end ? -end : raw >= end ? end - 1 : raw;
-  return T::assume_raw(static_cast<typename T::raw_type>(raw));
-}
-
-template <class T>
-Vec<T, 3> draw_unit(Random& random) {
-  std::array<T, 3> v{};
-  for (auto& x : v) x = draw<T>(random, 30);
-  if (random.one_in(4)) v = {}, v[static_cast<std::size_t>(random.below(3))] = T(1);
-  const auto unit = unit_vector<T>(v);
-  return unit ? from_array(*unit) : Vec<T, 3>{T(1), T(0), T(0)};
-}
-
 /// A body that is fixed or can move, with inverse gyrations of up to `bits` bits.
 detail::Support<S, 3> draw_support(Random& random, int bits) {
   detail::Support<S, 3> support;
-  Vec<F::Ratio, 4> q;
-  std::array<F::Ratio, 4> parts{};
-  for (auto& x : parts) x = draw<F::Ratio>(random, 30);
-  if (random.one_in(4)) parts = {F::Ratio(0), F::Ratio(0), F::Ratio(0), F::Ratio(1)};
-  q = from_array(unit_vector<F::Ratio>(parts).value_or(
-      std::array{F::Ratio(1), F::Ratio(0), F::Ratio(0), F::Ratio(0)}));
-  support.axes = detail::axes_of<S, 3>(q);
+  support.axes = detail::axes_of<S, 3>(draw_unit<F::Ratio, 4>(random));
   support.is_fixed = random.one_in(4);
   if (!support.is_fixed) {
     for (std::size_t i = 0; i < 6; ++i) {
@@ -74,7 +50,7 @@ Scene draw_scene(Random& random, std::size_t size, int bits) {
     scene.supports.push_back(a);
     scene.supports.push_back(b);
     detail::Manifold<S, 3> manifold;
-    manifold.normal = draw_unit<F::Ratio>(random);
+    manifold.normal = draw_unit<F::Ratio, 3>(random);
     manifold.count = static_cast<int>(random.between(1, 4));
     const bool is_same = random.one_in(8);
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {

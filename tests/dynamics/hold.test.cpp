@@ -3,6 +3,7 @@
 
 #include "dynamics/crowd.hpp"
 #include "dynamics/scenes.hpp"
+#include "dynamics/step_alike.hpp"
 #include "support/catch.hpp"
 
 namespace detent::test {
@@ -123,11 +124,7 @@ TEST_CASE("hold: worlds restored from a snapshot continue bit for bit") {
     REQUIRE(restore(restored, bytes, crowd.compounds(), crowd.meshes()) == Restored::yes);
     CHECK(snapshot(restored) == bytes);
     auto copy = world;
-    for (int i = 0; i < 10; ++i) {
-      copy.step();
-      restored.step();
-      REQUIRE(digest(copy) == digest(restored));
-    }
+    step_alike(copy, restored, 10);
   }
   CHECK(held > 10);
 }

@@ -12,8 +12,10 @@
 #include "detent/dynamics/snapshot.hpp"
 #include "detent/scene/sync_test.hpp"
 #include "dynamics/stage.hpp"
+#include "dynamics/step_alike.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
+#include "support/seal.hpp"
 
 namespace detent::test {
 namespace {
@@ -208,11 +210,7 @@ TEST_CASE("hull body: bits do not depend on the order of additions") {
   auto forward = pile.world(7);
   Hulls<S> backward;
   for (std::uint32_t i = 7; i-- > 0;) pile.put(backward, i);
-  for (int t = 0; t < 200; ++t) {
-    forward.step();
-    backward.step();
-    REQUIRE(digest(forward) == digest(backward));
-  }
+  step_alike(forward, backward, 200);
 }
 
 TEST_CASE("hull body: a snapshot is restored with its hulls, and refused without them") {
@@ -232,18 +230,12 @@ TEST_CASE("hull body: a snapshot is restored with its hulls, and refused without
   CHECK(digest(fresh) == before);
   REQUIRE(restore(fresh, bytes, twin.solids) == Restored::yes);
   CHECK(snapshot(fresh) == bytes);
-  for (int t = 0; t < 200; ++t) {
-    world.step();
-    fresh.step();
-    REQUIRE(digest(world) == digest(fresh));
-  }
+  step_alike(world, fresh, 200);
   // A hull that is not centered on its center of mass cannot belong to a body.
   for (std::size_t i = 0; i + 8 < bytes.size(); ++i) {
     auto changed = bytes;
     changed[i] = static_cast<std::byte>(static_cast<unsigned char>(changed[i]) ^ 1u);
-    Digest sum;
-    sum.add_bytes(std::span<const std::byte>(changed).first(changed.size() - 8));
-    detail::store_word(changed.data() + changed.size() - 8, sum.value());
+    seal(changed);
     Hulls<S> target;
     pile.put(target, 0);
     if (restore(target, changed, pile.solids) == Restored::yes) {

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "detent/dynamics/world.hpp"
+#include "dynamics/draw.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
 
 namespace detent::test {
 namespace {
@@ -13,26 +13,21 @@ using S = q16_16;
 /// Hulls of any size among boxes, balls and capsules: assertions hold, and positions stay in range.
 template <int N>
 void step_anything(Random& random, std::size_t& contacts) {
-  const auto number = [&](bool wild) {
-    return wild ? S::from_raw(static_cast<typename S::raw_type>(random.edgy(S::bits)))
-                : quotient_nearest<S>(static_cast<int>(random.between(-1000, 1000)), 250);
-  };
-  const auto point = [&](bool wild) { return make_vec<N>([&](int) { return number(wild); }); };
   std::vector<std::vector<Vec<S, N>>> points(4);
   std::vector<SolidHull<S, N>> solids;
   for (auto& set : points) {
-    const bool wild = random.coin();
-    for (auto i = random.between(4, 32); i > 0; --i) set.push_back(point(wild));
+    const Numbers<S, N> number{random, random.coin()};
+    for (auto i = random.between(4, 32); i > 0; --i) set.push_back(number.point());
     if (const auto solid = solid_hull(1, ConvexHull<S, N>{set})) solids.push_back(*solid);
   }
   World<S, N, Capsule, Obb, BodyHull> world;
   for (int i = 0; i < 16; ++i) {
-    const bool wild = random.one_in(3);
+    const Numbers<S, N> number{random, random.one_in(3)};
     BodyOptions<S, N> options;
     if (random.one_in(4)) options.motion = BodyMotion::fixed;
     options.is_fast = i % 3 == 0;
-    options.velocity = point(wild);
-    for (auto& w : options.angular_velocity) w = number(wild);
+    options.velocity = number.point();
+    for (auto& w : options.angular_velocity) w = number();
     const auto angle = Angle<S>::turn(static_cast<int>(random.below(1000)), 1000);
     Rotation<S, N> rotation;
     if constexpr (N == 2) {
@@ -42,15 +37,16 @@ void step_anything(Random& random, std::size_t& contacts) {
     }
     switch (random.below(5)) {
       case 0:
-        (void)world.add(Capsule<S, N>{point(wild), point(wild), number(wild)}, options);
+        (void)world.add(Capsule<S, N>{number.point(), number.point(), number()}, options);
         break;
       case 1:
-        (void)world.add(Obb<S, N>{point(wild), point(wild), rotation}, options);
+        (void)world.add(Obb<S, N>{number.point(), number.point(), rotation}, options);
         break;
       default:
         if (solids.empty()) break;
-        (void)world.add(BodyHull<S, N>{&solids[random.below(solids.size())], point(wild), rotation},
-                        options);
+        (void)world.add(
+            BodyHull<S, N>{&solids[random.below(solids.size())], number.point(), rotation},
+            options);
     }
   }
   for (int t = 0; t < 4; ++t) world.step();

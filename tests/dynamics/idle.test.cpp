@@ -6,9 +6,9 @@
 
 #include "detent/dynamics/dynamics.hpp"
 #include "detent/dynamics/flight.hpp"
+#include "dynamics/draw.hpp"
 #include "support/catch.hpp"
 #include "support/num.hpp"
-#include "support/random.hpp"
 
 namespace detent::test {
 namespace {
@@ -16,20 +16,6 @@ namespace {
 using S = q16_16;
 using F = detail::Formats<S>;
 using Bodies = std::vector<detail::Moving<S, 3>>;
-
-template <class T>
-T draw(Random& random, int bits) {
-  const auto end = std::int64_t{1} << bits;
-  return T::assume_raw(static_cast<typename T::raw_type>(random.between(-end, end - 1)));
-}
-template <class T>
-Vec<T, 3> draw_unit(Random& random) {
-  std::array<T, 3> v{};
-  for (auto& x : v) x = draw<T>(random, 30);
-  if (random.one_in(4)) v = {}, v[static_cast<std::size_t>(random.below(3))] = T(1);
-  const auto unit = unit_vector<T>(v);
-  return unit ? from_array(*unit) : Vec<T, 3>{T(1), T(0), T(0)};
-}
 
 struct Contact {
   detail::Manifold<S, 3> manifold;
@@ -39,10 +25,7 @@ struct Contact {
 
 detail::Support<S, 3> draw_support(Random& random, bool is_fixed) {
   detail::Support<S, 3> support;
-  std::array<F::Ratio, 4> parts{};
-  for (auto& x : parts) x = draw<F::Ratio>(random, 30);
-  support.axes = detail::axes_of<S, 3>(
-      from_array(unit_vector<F::Ratio>(parts).value_or(to_array(detail::upright<S, 3>()))));
+  support.axes = detail::axes_of<S, 3>(draw_unit<F::Ratio, 4>(random));
   support.is_fixed = is_fixed;
   for (std::size_t i = 0; i < 3 && !is_fixed; ++i) {
     support.spread[i] = F::Gyration::assume_raw(random.between(0, std::int64_t{1} << 36));
@@ -69,7 +52,7 @@ void draw_contacts(Random& random, std::size_t size, int gap, int bits,
     contact.a = draw_support(random, is_fixed);
     contact.b = draw_support(random, false);
     if (is_fixed) bodies[2 * k] = {};
-    contact.manifold.normal = draw_unit<F::Ratio>(random);
+    contact.manifold.normal = draw_unit<F::Ratio, 3>(random);
     contact.manifold.count = static_cast<int>(random.between(1, 4));
     for (auto& point : contact.manifold.points) {
       for (int c = 0; c < 3; ++c) point.point[c] = draw<F::Lever>(random, 22);

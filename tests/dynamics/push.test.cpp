@@ -8,8 +8,10 @@
 #include "detent/dynamics/snapshot.hpp"
 #include "dynamics/scenes.hpp"
 #include "dynamics/stage.hpp"
+#include "dynamics/step_alike.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
+#include "support/seal.hpp"
 
 namespace detent::test {
 namespace {
@@ -149,11 +151,7 @@ TEST_CASE("push: pending forces are in snapshots and digests") {
   Flat other;
   REQUIRE(restore(other, snapshot(world)) == Restored::yes);
   CHECK(digest(other) == digest(world));
-  for (int i = 0; i < 10; ++i) {
-    world.step();
-    other.step();
-    REQUIRE(digest(other) == digest(world));
-  }
+  step_alike(world, other, 10);
   CHECK(snapshot(world).size() == plain);
   CHECK(d(world.velocity(box).x) > 0);
   CHECK(world.velocity(twin).x == S(0));
@@ -173,27 +171,18 @@ TEST_CASE("push: locked axes, sensors and per-body gravity are in snapshots") {
   const auto start = digest_of(world, locked);
   Flat other;
   REQUIRE(restore(other, snapshot(world)) == Restored::yes);
-  for (int i = 0; i < 40; ++i) {
-    world.step();
-    other.step();
-    REQUIRE(digest(other) == digest(world));
-  }
+  step_alike(world, other, 40);
   CHECK(digest_of(world, locked) != start);
   CHECK(world.contains(sensor));
   CHECK(is_close(world.velocity(heavy).y, -2 * 10 * 40 / 60.0, 0.02));
   // A snapshot that spells out defaults or zero pushes, or has unknown bits, is invalid.
   detail::WorldAccess::bodies(world)[0].push.x = detail::Formats<S>::Speed::from_raw(1);
   auto bytes = snapshot(world);
-  const auto sign = [&] {
-    Digest digest;
-    digest.add_bytes(std::span<const std::byte>(bytes).first(bytes.size() - 8));
-    detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
-  };
   for (std::size_t i = 56; i + 8 < bytes.size(); ++i) {
     const auto whole = bytes;
     for (int bit = 0; bit < 8; ++bit) {
       bytes[i] ^= std::byte{1} << bit;
-      sign();
+      seal(bytes);
       Flat again;
       if (restore(again, bytes) == Restored::yes) CHECK(snapshot(again) == bytes);
       bytes = whole;

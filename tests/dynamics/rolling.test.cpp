@@ -14,6 +14,7 @@
 #include "detent/scene/difference.hpp"
 #include "dynamics/stage.hpp"
 #include "support/catch.hpp"
+#include "support/seal.hpp"
 
 namespace detent::test {
 namespace {
@@ -319,9 +320,7 @@ TEST_CASE("rolling: every accepted snapshot is canonical") {
   for (std::size_t i = 0; i + 8 < good.size(); ++i) {
     auto bytes = good;
     bytes[i] ^= static_cast<std::byte>(1 << i % 8);
-    Digest digest;
-    digest.add_bytes(std::span<const std::byte>(bytes).first(bytes.size() - 8));
-    detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
+    seal(bytes);
     auto target = fresh;
     if (restore(target, bytes) == Restored::yes) {
       ++accepted;

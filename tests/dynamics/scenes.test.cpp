@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "dynamics/step_alike.hpp"
 #include "support/catch.hpp"
 
 namespace detent::test {
@@ -107,11 +108,7 @@ TEST_CASE("scenes: 3D worlds restore bit for bit and do not depend on history") 
   for (int t = 0; t < 60; ++t) world.step();
   auto fresh = Scene<q16_16, 3>(4).world;
   REQUIRE(restore(fresh, snapshot(world)) == Restored::yes);
-  for (int t = 0; t < 200; ++t) {
-    REQUIRE(digest(world) == digest(fresh));
-    world.step();
-    fresh.step();
-  }
+  step_alike(world, fresh, 200);
 }
 
 }  // namespace detent::test

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "dynamics/stage.hpp"
+#include "dynamics/step_alike.hpp"
 #include "support/catch.hpp"
+#include "support/seal.hpp"
 
 namespace detent::test {
 namespace {
-
-using Bytes = std::vector<std::byte>;
 
 template <class S, int N>
 using Balls = World<S, N, Sphere>;
@@ -39,13 +39,6 @@ Balls<S, N> heap() {
   return world;
 }
 
-/// Recomputes the checksum, the last 8 bytes, after a change.
-void sign(Bytes& bytes) {
-  Digest digest;
-  digest.add_bytes(std::span<const std::byte>(bytes).first(bytes.size() - 8));
-  detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
-}
-
 TEMPLATE_TEST_CASE("snapshot: a restored world continues bit for bit", "", q16_16, q14_16, q24_8,
                    q8_8, double) {
   using S = TestType;
@@ -61,11 +54,7 @@ TEMPLATE_TEST_CASE("snapshot: a restored world continues bit for bit", "", q16_1
         REQUIRE(restore(fresh, bytes) == Restored::yes);
         CHECK(snapshot(fresh) == bytes);
         auto copy = world;
-        for (int i = 0; i < 100; ++i) {
-          copy.step();
-          fresh.step();
-          REQUIRE(digest(copy) == digest(fresh));
-        }
+        step_alike(copy, fresh, 100);
       }
       world.step();
     }
@@ -150,7 +139,7 @@ TEST_CASE("snapshot: hostile bytes change nothing and do no harm") {
       bytes[i] ^= static_cast<std::byte>(1 << bit);
       REQUIRE(restore(fresh, bytes) != Restored::yes);  // the checksum is wrong
       REQUIRE(digest(fresh) == before);
-      sign(bytes);
+      seal(bytes);
       auto target = fresh;
       if (restore(target, bytes) == Restored::yes) {
         ++accepted;

@@ -6,19 +6,8 @@
 
 namespace detent::test {
 
-/// A point at these coordinates; in 3D with z = 0.
-template <Scalar S, int N>
-Vec<S, N> at(double x, double y) {
-  Vec<S, N> p{};
-  p.x = num<S>(x);
-  p.y = num<S>(y);
-  return p;
-}
-
 /// A point in q16_16.
-inline Vec<q16_16, 3> at3(double x, double y, double z) {
-  return {num<q16_16>(x), num<q16_16>(y), num<q16_16>(z)};
-}
+inline Vec<q16_16, 3> at3(double x, double y, double z) { return at<q16_16, 3>(x, y, z); }
 
 /// A box with this center and half extents; in 3D its depth equals its width, at z = 0.
 template <Scalar S, int N>

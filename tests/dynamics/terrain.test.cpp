@@ -13,9 +13,10 @@
 #include "detent/scene/height_field/height_field.hpp"
 #include "detent/scene/mesh/owned.hpp"
 #include "detent/scene/sync_test.hpp"
+#include "dynamics/draw.hpp"
 #include "dynamics/terrain.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "support/seal.hpp"
 
 namespace detent::test {
 namespace {
@@ -344,9 +345,7 @@ TEST_CASE("terrain: wrong assets and hostile bytes leave the world unchanged") {
     auto changed = bytes;
     const auto at = random.below(changed.size() - 72) + 64;
     changed[at] ^= static_cast<std::byte>(1u << random.below(8));
-    Digest sum;
-    sum.add_bytes(std::span<const std::byte>(changed).first(changed.size() - 8));
-    detail::store_word(changed.data() + changed.size() - 8, sum.value());
+    seal(changed);
     Ground<S> victim;
     if (land.restored(victim, changed) != Restored::yes) continue;
     ++read;
@@ -386,32 +385,27 @@ TEST_CASE("terrain: no triangles, equal or huge indices, and distant triangles d
   using S = q16_16;
   Random random(75);
   CAPTURE(random.seed());
-  const auto number = [&](bool wild) {
-    return wild ? S::from_raw(static_cast<typename S::raw_type>(random.edgy(S::bits)))
-                : quotient_nearest<S>(static_cast<int>(random.between(-1000, 1000)), 250);
-  };
-  const auto anywhere = [&](bool wild) { return make_vec<3>([&](int) { return number(wild); }); };
   std::size_t contacts = 0;
   for (int round = 0; round < 60; ++round) {
     std::vector<MeshTriangle<S>> triangles;
     for (int i = 0; i < 60; ++i) {
-      const bool wild = random.one_in(4);
-      triangles.push_back({{anywhere(wild), anywhere(wild), anywhere(wild)},
+      const Numbers<S, 3> number{random, random.one_in(4)};
+      triangles.push_back({{number.point(), number.point(), number.point()},
                            random.one_in(10) ? ~0u : static_cast<std::uint32_t>(random.below(40))});
     }
     std::vector<MeshNode<S>> nodes(tree_capacity(triangles.size()));
     const MeshAsset<S> asset(1, *build_mesh<S>(triangles, nodes));
     World<S, 3, Capsule, Obb, BodyMesh> world;
     world.add(BodyMesh<S, 3>{nullptr, {}, {}}, fixed<S>());
-    world.add(BodyMesh<S, 3>{&asset, anywhere(random.one_in(3)), {}});
+    world.add(BodyMesh<S, 3>{&asset, Numbers<S, 3>{random, random.one_in(3)}.point(), {}});
     for (int i = 0; i < 8; ++i) {
-      const bool wild = random.one_in(4);
+      const Numbers<S, 3> number{random, random.one_in(4)};
       BodyOptions<S, 3> options;
-      options.velocity = anywhere(wild);
+      options.velocity = number.point();
       if (random.coin()) {
-        world.add(Capsule<S, 3>{anywhere(wild), anywhere(wild), number(wild)}, options);
+        world.add(Capsule<S, 3>{number.point(), number.point(), number()}, options);
       } else {
-        world.add(Obb<S, 3>{anywhere(wild), anywhere(wild), {}}, options);
+        world.add(Obb<S, 3>{number.point(), number.point(), {}}, options);
       }
     }
     for (int t = 0; t < 4; ++t) world.step();

@@ -19,12 +19,6 @@ namespace detent::oracle {
 template <int N>
 using Position = std::array<Rational, static_cast<std::size_t>(N)>;
 
-template <std::size_t N>
-Rational dot(const std::array<Rational, N>& a, const std::array<Rational, N>& b) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < N; ++i) sum += a[i] * b[i];
-  return sum;
-}
 /// a + t b.
 template <std::size_t N>
 std::array<Rational, N> along(std::array<Rational, N> a, const std::array<Rational, N>& b,

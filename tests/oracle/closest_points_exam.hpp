@@ -4,10 +4,8 @@
 #include <type_traits>
 
 #include "detent/query/closest_points/pair.hpp"
-// The hulls come before the headers that look them up.
-#include "oracle/hull.hpp"
-//
 #include "oracle/closest_pair.hpp"
+#include "oracle/hull.hpp"
 #include "oracle/pair_exam.hpp"
 #include "support/shapes.hpp"
 

@@ -4,10 +4,8 @@
 #include <optional>
 
 #include "detent/query/contact.hpp"
-// The hulls come before the headers that look them up.
-#include "oracle/hull.hpp"
-//
 #include "oracle/contact_answer.hpp"
+#include "oracle/hull.hpp"
 #include "oracle/pair_exam.hpp"
 #include "support/shapes.hpp"
 

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "detent/shape/frustum.hpp"
+#include "detent/shape/hull.hpp"
 #include "detent/shape/shape.hpp"
 #include "oracle/answer.hpp"
 #include "oracle/exact.hpp"
@@ -38,6 +40,16 @@ std::string describe(const Shape& shape) {
   std::string out(support::name_of(shape));
   support::visit_fields(shape, [&](const auto& field) { out += " " + describe(field); });
   return out;
+}
+template <Scalar S, int N>
+std::string describe(const ConvexHull<S, N>& hull) {
+  std::string out = "hull";
+  for (const auto& point : hull.points) out += " " + describe(point);
+  return out;
+}
+template <Scalar S>
+std::string describe(const Frustum<S>& frustum) {
+  return describe(frustum.hull());
 }
 
 }  // namespace detent::oracle

@@ -2,9 +2,7 @@
 #pragma once
 
 #include "detent/query/distance/pair.hpp"
-// The hulls come before the headers that look them up.
 #include "oracle/hull.hpp"
-//
 #include "oracle/pair_exam.hpp"
 #include "support/shapes.hpp"
 

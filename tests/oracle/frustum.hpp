@@ -3,18 +3,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
 
 #include "detent/shape/frustum.hpp"
 #include "oracle/hull.hpp"
 
-/// Frusta for the oracles: to be included before headers that handle shapes of any kind.
+/// Random frusta.
 namespace detent::oracle {
-
-template <Scalar S>
-std::string describe(const Frustum<S>& frustum) {
-  return describe(frustum.hull());
-}
 
 /// Eight points of a setting in any order, often coplanar or equal, or the frustum of a camera.
 template <Scalar S>

@@ -12,9 +12,7 @@
 #include "detent/query/on.hpp"
 #include "detent/query/overlaps/frustum.hpp"
 #include "detent/query/raycast/frustum.hpp"
-// The hull helpers come before the exam, which looks them up.
 #include "oracle/frustum.hpp"
-//
 #include "oracle/pair_exam.hpp"
 
 namespace detent::oracle {

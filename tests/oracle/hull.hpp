@@ -4,13 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <string>
 
 #include "detent/shape/hull.hpp"
-#include "oracle/describe.hpp"
 #include "oracle/draw_shape.hpp"
 
-/// Random convex hulls: to be included before headers that handle shapes of any kind.
+/// Random convex hulls.
 namespace detent::oracle {
 
 inline constexpr std::size_t most_corners = 8;
@@ -48,13 +46,6 @@ ConvexHull<S, N> round_hull(Draw<S, N>& draw, const Raw<N>& center, std::int64_t
     point = Draw<S, N>::vec(Draw<S, N>::moved(center, draw.any_direction(), radius));
   }
   return {points};
-}
-
-template <Scalar S, int N>
-std::string describe(const ConvexHull<S, N>& hull) {
-  std::string out = "hull";
-  for (const auto& point : hull.points) out += " " + describe(point);
-  return out;
 }
 
 }  // namespace detent::oracle

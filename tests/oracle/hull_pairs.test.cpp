@@ -2,9 +2,7 @@
 #include "detent/query/intersects/hull.hpp"
 #include "detent/query/overlaps/hull_hull.hpp"
 #include "detent/query/overlaps/triangle_hull.hpp"
-// The hull helpers come before the exam, which looks them up.
 #include "oracle/hull.hpp"
-//
 #include "oracle/pair_exam.hpp"
 
 namespace detent::oracle {

@@ -2,9 +2,7 @@
 #include "detent/query/overlaps/capsule_hull.hpp"
 #include "detent/query/overlaps/plane_hull.hpp"
 #include "detent/query/overlaps/sphere_hull.hpp"
-// The hull helpers come before the exam, which looks them up.
 #include "oracle/hull.hpp"
-//
 #include "oracle/pair_exam.hpp"
 
 namespace detent::oracle {

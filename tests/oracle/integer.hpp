@@ -43,9 +43,10 @@ using Vector = std::array<Integer, static_cast<std::size_t>(N)>;
 template <int N>
 using Raw = std::array<std::int64_t, static_cast<std::size_t>(N)>;
 
-template <std::size_t N>
-Integer dot(const std::array<Integer, N>& a, const std::array<Integer, N>& b) {
-  Integer sum = 0;
+/// Of integers or rational numbers.
+template <class Number, std::size_t N>
+Number dot(const std::array<Number, N>& a, const std::array<Number, N>& b) {
+  Number sum = 0;
   for (std::size_t i = 0; i < N; ++i) sum += a[i] * b[i];
   return sum;
 }

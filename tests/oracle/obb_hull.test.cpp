@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/overlaps/obb_hull.hpp"
-// The hull helpers come before the exam, which looks them up.
 #include "oracle/hull.hpp"
-//
 #include "oracle/pair_exam.hpp"
 
 namespace detent::oracle {

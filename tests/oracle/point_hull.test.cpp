@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hull helpers come before the exam, which looks them up.
 #include "oracle/hull.hpp"
-//
 #include "oracle/point_exam.hpp"
 
 namespace detent::oracle {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/raycast/hull.hpp"
-// The hull helpers come before the exam, which looks them up.
 #include "oracle/hull.hpp"
-//
 #include "oracle/ray_exam.hpp"
 
 namespace detent::oracle {

@@ -6,8 +6,8 @@
 #include "detent/scene/hull.hpp"
 #include "detent/scene/snapshot.hpp"
 #include "detent/scene/sync_test.hpp"
-#include "scene/sealed.hpp"
 #include "support/catch.hpp"
+#include "support/seal.hpp"
 
 using namespace detent;
 using S = q16_16;
@@ -199,7 +199,8 @@ TEST_CASE("restore of assets: forged references are refused") {
   const auto forged = [&](std::size_t place, std::uint32_t word) {
     auto copy = bytes;
     detail::store_word(copy.data() + place, word);
-    const auto result = restore(scene, sealed(copy), hulls, fields);
+    test::seal(copy);
+    const auto result = restore(scene, copy, hulls, fields);
     if (result != Restored::yes) CHECK(digest(scene) == before);
     return result;
   };

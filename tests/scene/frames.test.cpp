@@ -3,8 +3,9 @@
 
 #include <vector>
 
-#include "scene/sealed.hpp"
+#include "detent/scene/snapshot.hpp"
 #include "support/catch.hpp"
+#include "support/seal.hpp"
 
 using namespace detent;
 using S = q16_16;
@@ -119,7 +120,7 @@ TEST_CASE("restore: 100,000 nested frames take a few accesses each") {
   detail::store_word(bytes.data() + 12, count + 1);  // the next generation
   detail::store_word(bytes.data() + 16, count);
   detail::store_word(bytes.data() + 36, std::uint64_t{bytes.size()});
-  bytes = sealed(bytes);
+  test::seal(bytes);
 
   accesses = 0;
   REQUIRE(restore(scene, bytes) == Restored::yes);

@@ -7,6 +7,7 @@
 
 #include "detent/scene/height_field.hpp"
 #include "detent/scene/mesh.hpp"
+#include "oracle/describe.hpp"
 #include "oracle/hull.hpp"
 #include "query/raycast/helpers.hpp"
 #include "scene/mesh_helpers.hpp"

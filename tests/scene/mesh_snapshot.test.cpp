@@ -7,8 +7,8 @@
 #include "detent/scene/mesh/instance.hpp"
 #include "detent/scene/mesh/owned.hpp"
 #include "detent/scene/sync_test.hpp"
-#include "scene/sealed.hpp"
 #include "support/catch.hpp"
+#include "support/seal.hpp"
 
 using namespace detent;
 using S = q16_16;
@@ -118,7 +118,8 @@ TEST_CASE("restore of meshes: a forged reference is refused") {
   const auto forged = [&](std::size_t place, std::uint32_t word) {
     auto copy = bytes;
     detail::store_word(copy.data() + place, word);
-    const auto result = restore(scene, sealed(copy), assets);
+    test::seal(copy);
+    const auto result = restore(scene, copy, assets);
     if (result != Restored::yes) CHECK(digest(scene) == before);
     return result;
   };

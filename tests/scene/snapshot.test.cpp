@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "scene/sealed.hpp"
 #include "support/catch.hpp"
+#include "support/seal.hpp"
 
 using namespace detent;
 using S = q16_16;
@@ -150,7 +150,8 @@ TEST_CASE("restore: every part of a forged snapshot is checked") {
   const auto forged = [&](std::size_t place, std::uint32_t word) {
     auto copy = bytes;
     detail::store_word(copy.data() + place, word);
-    return restore(scene, sealed(copy));
+    test::seal(copy);
+    return restore(scene, copy);
   };
   constexpr std::size_t frames = 48, frame = 64, objects = frames + 2 * frame;
   CHECK(forged(12, 0) == Restored::corrupted);                  // no generation is valid

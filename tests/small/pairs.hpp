@@ -3,6 +3,7 @@
 
 #include "detent/query/intersects.hpp"
 #include "detent/query/overlaps.hpp"
+#include "oracle/describe.hpp"
 #include "oracle/hull.hpp"
 #include "small/convex.hpp"
 #include "small/world.hpp"

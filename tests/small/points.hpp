@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "oracle/describe.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/point_answer.hpp"
 #include "small/world.hpp"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "oracle/ask.hpp"
+#include "oracle/describe.hpp"
 #include "oracle/hull.hpp"
 #include "small/world.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/number/scalar.hpp"
+#include "detent/math/vec.hpp"
 
 namespace detent::test {
 
@@ -12,6 +12,16 @@ constexpr S num(double value) {
     return S::from_double(value);
   } else {
     return static_cast<S>(value);
+  }
+}
+
+/// The point (x, y, z), or (x, y) in 2D.
+template <Scalar S, int N>
+constexpr Vec<S, N> at(double x, double y = 0, double z = 0) {
+  if constexpr (N == 2) {
+    return {num<S>(x), num<S>(y)};
+  } else {
+    return {num<S>(x), num<S>(y), num<S>(z)};
   }
 }
 

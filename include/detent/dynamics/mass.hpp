@@ -15,37 +15,17 @@ namespace detent {
 /// units:  density in mass per area (2D) or volume (3D)
 /// domain: every shape and density; a shape without volume and a density that is not positive give
 ///         mass 0 and all fields 0. An oriented box counts as one with orthonormal axes, a capsule's
-///         axis as long as the root rounded down to 2^-(Frac + 24), pi as `detail::pi`
+///         axis as long as the root rounded down to 2^-(Frac + 24), pi as `detail::pi`. The points
+///         of a hull may be in any order, and may lie inside it; the time is proportional to the
+///         cube of their number: call this when you make bodies, not every tick
 /// exact:  each field rounded once to nearest, ties to even     (tests/dynamics/mass.test.cpp)
 /// source: moments of simplices, Tonon, Explicit exact formulas for the 3-D tetrahedron inertia
 ///         tensor, 2004
-template <Scalar S, int N>
-[[nodiscard]] constexpr MassProperties<S, N> mass_properties(const Sphere<S, N>& shape,
+template <template <Scalar, int> class Shape, Scalar S, int N>
+requires requires(const Shape<S, N>& shape, S density) { detail::solid_properties(shape, density); }
+[[nodiscard]] constexpr MassProperties<S, N> mass_properties(const Shape<S, N>& shape,
                                                              S density) noexcept {
-  return detail::round_properties(shape, density);
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr MassProperties<S, N> mass_properties(const Capsule<S, N>& shape,
-                                                             S density) noexcept {
-  return detail::round_properties(shape, density);
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr MassProperties<S, N> mass_properties(const Aabb<S, N>& shape,
-                                                             S density) noexcept {
-  return detail::box_properties(shape, density);
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr MassProperties<S, N> mass_properties(const Obb<S, N>& shape,
-                                                             S density) noexcept {
-  return detail::box_properties(shape, density);
-}
-
-/// The points of the hull may be in any order, and may lie inside it. The time is proportional to
-/// the cube of their number: call this when you make bodies, not every tick.
-template <Scalar S, int N>
-[[nodiscard]] constexpr MassProperties<S, N> mass_properties(const ConvexHull<S, N>& shape,
-                                                             S density) noexcept {
-  return detail::hull_properties(shape, density);
+  return detail::solid_properties(shape, density);
 }
 
 /// The properties of several parts that move as one body, given in one frame. Where parts overlap,

@@ -1041,17 +1041,20 @@ class Tick {
   }
   /// Finds all slacks, and sets these supports to the poses at which held bodies are held.
   constexpr void hold_back(const Bodies& bodies) {
-    if constexpr (has_groups) held_ = supports_;
+    if constexpr (has_groups) {
+      held_ = supports_;
+      hold_back(bodies, held_);
+    } else {
+      hold_back(bodies, supports_);
+    }
+  }
+  template <class Supports>
+  constexpr void hold_back(const Bodies& bodies, Supports& held) {
     if (!are_held_) return;
     slacks_.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       slacks_[i] = slack_of(bodies[i]);
-      if (!bodies[i].is_held()) continue;
-      if constexpr (has_groups) {
-        detail::hold_back(held_[i], bodies[i]);
-      } else {
-        detail::hold_back(supports_[i], bodies[i]);
-      }
+      if (bodies[i].is_held()) detail::hold_back(held[i], bodies[i]);
     }
   }
   /// Sets them to the current poses.

@@ -5,7 +5,7 @@
 #include <concepts>
 #include <type_traits>
 
-#include "detent/number/fixed.hpp"
+#include "detent/number/scalar.hpp"
 
 // Names are in parentheses because <windows.h> defines min and max as macros. The overloads for two
 // numbers of one type are better matches than std::min, std::max and std::clamp where a user's
@@ -40,34 +40,24 @@ template <class A, class B>
 using common_fixed = typename detail::common_fixed_of<A, B>::type;
 
 /// The lesser of two numbers, exactly, in a type that holds both.
-template <int Bits1, int Frac1, int Bits2, int Frac2>
-[[nodiscard]] constexpr auto(min)(const Fixed<Bits1, Frac1>& a,
-                                  const Fixed<Bits2, Frac2>& b) noexcept {
-  using T = common_fixed<Fixed<Bits1, Frac1>, Fixed<Bits2, Frac2>>;
+template <class A, class B>
+[[nodiscard]] constexpr common_fixed<A, B>(min)(const A& a, const B& b) noexcept {
+  using T = common_fixed<A, B>;
   return b < a ? T(b) : T(a);
 }
-template <int B, int F>
-[[nodiscard]] constexpr Fixed<B, F>(min)(const Fixed<B, F>& a, const Fixed<B, F>& b) noexcept {
-  return b < a ? b : a;
-}
-template <std::floating_point Float>
-[[nodiscard]] constexpr Float(min)(const Float& a, const Float& b) noexcept {
+template <Number T>
+[[nodiscard]] constexpr T(min)(const T& a, const T& b) noexcept {
   return b < a ? b : a;
 }
 
 /// The greater of two numbers, exactly, in a type that holds both.
-template <int Bits1, int Frac1, int Bits2, int Frac2>
-[[nodiscard]] constexpr auto(max)(const Fixed<Bits1, Frac1>& a,
-                                  const Fixed<Bits2, Frac2>& b) noexcept {
-  using T = common_fixed<Fixed<Bits1, Frac1>, Fixed<Bits2, Frac2>>;
+template <class A, class B>
+[[nodiscard]] constexpr common_fixed<A, B>(max)(const A& a, const B& b) noexcept {
+  using T = common_fixed<A, B>;
   return a < b ? T(b) : T(a);
 }
-template <int B, int F>
-[[nodiscard]] constexpr Fixed<B, F>(max)(const Fixed<B, F>& a, const Fixed<B, F>& b) noexcept {
-  return a < b ? b : a;
-}
-template <std::floating_point Float>
-[[nodiscard]] constexpr Float(max)(const Float& a, const Float& b) noexcept {
+template <Number T>
+[[nodiscard]] constexpr T(max)(const T& a, const T& b) noexcept {
   return a < b ? b : a;
 }
 

@@ -1,43 +1,28 @@
 // SPDX-License-Identifier: MIT
 // Joints with numbers from their whole range: assertions hold, and worlds stay valid.
+#include "dynamics/draw.hpp"
 #include "dynamics/joint/helpers.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
 
 namespace detent::test {
 namespace {
 
-/// Draws numbers from the whole range, or small ones.
-template <Scalar S>
-struct Numbers {
-  Random& random;
-  bool wild;
-
-  S any() const { return S::from_raw(static_cast<typename S::raw_type>(random.edgy(S::bits))); }
-  S operator()() const {
-    return wild ? any() : quotient_nearest<S>(static_cast<int>(random.between(-1000, 1000)), 250);
-  }
-};
-
 template <Scalar S, int N>
 BodyId add_any(JointedWorld<S, N>& world, Random& random) {
-  const Numbers<S> number{random, random.one_in(4)};
-  const auto point = [&] { return make_vec<N>([&](int) { return number(); }); };
-  const auto size = [&] {
-    const auto x = number();
-    return x < 0 && x > S::lowest() ? saturate_to<S>(-x) : x;
-  };
+  const Numbers<S, N> number{random, random.one_in(4)};
   BodyOptions<S, N> options;
   if (random.one_in(5)) {
     options.motion = random.coin() ? BodyMotion::fixed : BodyMotion::kinematic;
   }
   if (random.one_in(3)) options.density = number.any();
   if (random.one_in(4)) options.locked = static_cast<std::uint8_t>(random.below(64));
-  options.velocity = point();
+  options.velocity = number.point();
   for (auto& w : options.angular_velocity) w = number();
-  if (random.coin()) return world.add(Sphere<S, N>{point(), size()}, options).value_or(no_object);
-  Obb<S, N> box{point(), make_vec<N>([&](int) { return size(); }), {}};
+  if (random.coin()) {
+    return world.add(Sphere<S, N>{number.point(), number.size()}, options).value_or(no_object);
+  }
+  Obb<S, N> box{number.point(), make_vec<N>([&](int) { return number.size(); }), {}};
   return world.add(box, options).value_or(no_object);
 }
 
@@ -53,7 +38,7 @@ Rotation<S, N> any_frame(Random& random) {
 
 template <class Joint, Scalar S, int N>
 void join_any(JointedWorld<S, N>& world, const BodyId& a, const BodyId& b, Random& random) {
-  const Numbers<S> number{random, random.one_in(3)};
+  const Numbers<S, N> number{random, random.one_in(3)};
   Joint joint;
   joint.a = a;
   joint.b = b;
@@ -63,7 +48,7 @@ void join_any(JointedWorld<S, N>& world, const BodyId& a, const BodyId& b, Rando
     } else if constexpr (std::is_same_v<T, Rotation<S, N>>) {
       x = any_frame<S, N>(random);
     } else {
-      x = make_vec<N>([&](int) { return number(); });
+      x = number.point();
     }
   });
   joint.collide = random.coin();
@@ -83,8 +68,8 @@ TEMPLATE_TEST_CASE("joint: joints with any numbers step without harm", "", (Spac
   for (int round = 0; round < 150; ++round) {
     CAPTURE(round);
     WorldSettings<S, N> settings;
-    const Numbers<S> number{random, true};
-    if (round % 4 == 0) settings.gravity = make_vec<N>([&](int) { return number(); });
+    const Numbers<S, N> number{random, true};
+    if (round % 4 == 0) settings.gravity = number.point();
     if (round % 8 == 0) settings.substeps = 500;
     JointedWorld<S, N> world(settings);
     std::vector<BodyId> ids;

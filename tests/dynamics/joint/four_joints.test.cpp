@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "detent/dynamics/dynamics.hpp"
+#include "dynamics/draw.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
 
 namespace detent::test {
 namespace {
@@ -20,11 +20,6 @@ using Ready = detail::ReadyJoint<S, 3, Record::push_room, Record::turn_room>;
 using Joints = detail::FourJoints<S, Record::turn_room>;
 using Moving = detail::Moving<S, 3>;
 
-template <class T>
-T draw(Random& random, int bits) {
-  const auto end = std::int64_t{1} << bits;
-  return T::assume_raw(static_cast<std::int32_t>(random.between(-end, end - 1)));
-}
 Vec<S, 3> draw_point(Random& random, int bits) {
   return make_vec<3>([&](int) { return draw<S>(random, bits); });
 }

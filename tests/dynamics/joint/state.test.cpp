@@ -5,9 +5,11 @@
 
 #include "detent/scene/difference.hpp"
 #include "dynamics/joint/helpers.hpp"
+#include "dynamics/step_alike.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
+#include "support/seal.hpp"
 
 namespace detent::test {
 namespace {
@@ -110,12 +112,6 @@ JointedWorld<S, N> scene() {
   return world;
 }
 
-void sign(Bytes& bytes) {
-  Digest digest;
-  digest.add_bytes(std::span<const std::byte>(bytes).first(bytes.size() - 8));
-  detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
-}
-
 template <class F>
 void in_both_dimensions(const F& f) {
   f(std::integral_constant<int, 2>());
@@ -138,11 +134,7 @@ TEST_CASE("joint: a restored world continues bit for bit") {
         REQUIRE(snapshot(fresh) == bytes);
         CHECK(fresh.joint_count() == world.joint_count());
         auto copy = world;
-        for (int i = 0; i < 60; ++i) {
-          REQUIRE(digest(copy) == digest(fresh));
-          copy.step();
-          fresh.step();
-        }
+        step_alike(copy, fresh, 60);
       }
       world.step();
     }
@@ -233,7 +225,7 @@ TEST_CASE("joint: hostile bytes change nothing and do no harm") {
   const auto before = digest(fresh);
   int refused = 0, accepted = 0;
   const auto attempt = [&](Bytes bytes, bool steps) {
-    sign(bytes);
+    seal(bytes);
     auto target = fresh;
     if (restore(target, bytes) == Restored::yes) {
       ++accepted;

@@ -10,6 +10,7 @@
 #include "detent/number/literals.hpp"
 #include "detent/query/overlaps.hpp"
 #include "dynamics/stage.hpp"
+#include "dynamics/step_alike.hpp"
 #include "support/catch.hpp"
 
 namespace detent::test {
@@ -209,11 +210,7 @@ TEST_CASE("cloth: bits do not depend on the order in which constraints come and 
   CHECK(other.remove(19, 7));
   plain.set_pinned(0, true);
   other.set_pinned(0, true);
-  for (int t = 0; t < 50; ++t) {
-    REQUIRE(digest(plain) == digest(other));
-    plain.step();
-    other.step();
-  }
+  step_alike(plain, other, 50);
 }
 
 TEST_CASE("cloth: what does not fit is not added, and what fits needs no heap") {

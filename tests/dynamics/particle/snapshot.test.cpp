@@ -12,6 +12,7 @@
 #include "dynamics/stage.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
+#include "support/seal.hpp"
 
 namespace detent::test {
 
@@ -33,13 +34,6 @@ ParticleSystem<S, N> curtain() {
   system.set_pinned(cloth->at(4, 0), true);
   REQUIRE(system.add(DistanceConstraint<S>{0, 19, S(1), S(0), true}));
   return system;
-}
-
-/// Recomputes the checksum, the last 8 bytes, after a change.
-void sign(Bytes& bytes) {
-  Digest digest;
-  digest.add_bytes(std::span<const std::byte>(bytes).first(bytes.size() - 8));
-  detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
 }
 
 }  // namespace
@@ -104,7 +98,7 @@ TEST_CASE("particle snapshot: constraints that no system could have are refused"
   const auto after = [&](const auto& change) {
     auto changed = bytes;
     change(changed);
-    sign(changed);
+    seal(changed);
     return restore(system, changed);
   };
   CHECK(after([](Bytes&) {}) == Restored::yes);
@@ -138,7 +132,7 @@ TEST_CASE("particle snapshot: hostile bytes are refused or give a valid system")
       changed[random.below(changed.size())] = static_cast<std::byte>(random.next());
     }
     if (random.one_in(8)) changed.resize(random.below(changed.size() + 1));
-    if (changed.size() >= 8 && !random.one_in(8)) sign(changed);
+    if (changed.size() >= 8 && !random.one_in(8)) seal(changed);
     auto target = system;
     if (restore(target, changed) == Restored::yes) {
       ++taken;

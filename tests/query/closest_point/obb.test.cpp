@@ -24,13 +24,9 @@ TEMPLATE_TEST_CASE("closest point, obb: rotated by a right angle", "[closest_poi
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  auto axes = std::array<Direction<S, N>, static_cast<std::size_t>(N)>{};
-  for (int i = 0; i < N; ++i) axes[static_cast<std::size_t>(i)] = Direction<S, N>::along(i);
-  axes[0] = toward<S, N>(0, 1);
-  axes[1] = toward<S, N>(-1, 0);
   auto half = filled<S, N>(num<S>(1));
   half.x = num<S>(5);  // along y of the world
-  const Obb<S, N> box{at<S, N>(10, 10), half, Rotation<S, N>::from_axes(axes)};
+  const Obb<S, N> box{at<S, N>(10, 10), half, heading<S, N>(0, 1)};
   CHECK(closest_point(box, at<S, N>(10, 30)) == at<S, N>(10, 15));
   CHECK(closest_point(box, at<S, N>(20, 12)) == at<S, N>(11, 12));
 }

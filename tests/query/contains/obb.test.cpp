@@ -25,11 +25,7 @@ TEMPLATE_TEST_CASE("contains, obb: the slabs are closed", "[contains]", DETENT_E
 TEMPLATE_TEST_CASE("contains, obb: rotated by 45 degrees", "[contains]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  auto axes = std::array<Direction<S, N>, static_cast<std::size_t>(N)>{};
-  for (int i = 0; i < N; ++i) axes[static_cast<std::size_t>(i)] = Direction<S, N>::along(i);
-  axes[0] = toward<S, N>(1, 1);
-  axes[1] = toward<S, N>(-1, 1);
-  const Obb<S, N> box{{}, filled<S, N>(num<S>(1)), Rotation<S, N>::from_axes(axes)};
+  const Obb<S, N> box{{}, filled<S, N>(num<S>(1)), heading<S, N>(1, 1)};
   CHECK(contains(box, at<S, N>(1.25, 0)));
   CHECK(contains(box, at<S, N>(0, -1.25)));
   CHECK_FALSE(contains(box, at<S, N>(1, 1)));

@@ -6,6 +6,7 @@
 
 #include "detent/query/contact.hpp"
 #include "detent/query/overlaps.hpp"
+#include "oracle/describe.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"

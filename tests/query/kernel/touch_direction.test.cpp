@@ -10,7 +10,6 @@ namespace detent::test {
 namespace {
 
 using S = q16_16;
-using Unit = Direction<S, 3>;
 using Radius = decltype(S() + S());
 
 struct Count {

@@ -7,16 +7,6 @@ namespace {
 static_assert(overlaps(Aabb<q16_16, 3>{}, Obb<q16_16, 3>{}));
 static_assert(overlaps(Obb<q16_16, 2>{}, Obb<q16_16, 2>{}));
 
-/// A rotation from two given axes and a default third.
-template <Scalar S, int N>
-Rotation<S, N> frame(const Direction<S, N>& x, const Direction<S, N>& y) {
-  std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
-  for (int i = 0; i < N; ++i) axes[static_cast<std::size_t>(i)] = Direction<S, N>::along(i);
-  axes[0] = x;
-  axes[1] = y;
-  return Rotation<S, N>::from_axes(axes);
-}
-
 /// All axes along x: a segment whose half length is the sum of the half extents.
 template <Scalar S, int N>
 Rotation<S, N> along_x() {

@@ -29,10 +29,7 @@ bool meet(const Segment<S, N>& segment, const Shape& shape) {
 /// Axis 0 is exactly along (3, 4), and slightly too long; the others are the default.
 template <Scalar S, int N>
 Rotation<S, N> three_four_fifths_frame() {
-  std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
-  for (int i = 0; i < N; ++i) axes[static_cast<std::size_t>(i)] = Direction<S, N>::along(i);
-  axes[0] = three_four_fifths<S, N>();
-  return Rotation<S, N>::from_axes(axes);
+  return frame(three_four_fifths<S, N>(), Direction<S, N>::along(1));
 }
 
 }  // namespace detent::test

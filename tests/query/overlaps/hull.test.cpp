@@ -85,8 +85,7 @@ TEMPLATE_TEST_CASE("overlaps, hull: one raw unit decides, at the ends of the dom
                    "[overlaps]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  const auto [low, side, high] = half_domain<S, N>();
-  const Points<S, N, 3> half{low, side, high};
+  const auto half = half_domain<S, N>();
   auto on = Vec<S, N>(), beside = on;
   beside.x = moved(S(0), -1);
   CHECK(meets(Sphere<S, N>{on, S(0)}, half));

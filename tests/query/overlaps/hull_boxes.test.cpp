@@ -35,15 +35,14 @@ TEMPLATE_TEST_CASE("overlaps, box and hull: one raw unit decides, at the ends of
                    "[overlaps]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  const auto [low, side, high] = half_domain<S, N>();
-  const Points<S, N, 3> half{low, side, high};
+  const auto half = half_domain<S, N>();
   auto on = Vec<S, N>(), beside = on;
   beside.x = moved(S(0), -1);
   CHECK(meets(Aabb<S, N>{on, on}, half));
   CHECK_FALSE(meets(Aabb<S, N>{beside, beside}, half));
   CHECK(meets(Obb<S, N>{on, {}, {}}, half));
   CHECK_FALSE(meets(Obb<S, N>{beside, {}, {}}, half));
-  CHECK(meets(Obb<S, N>{low, high, {}}, half));
+  CHECK(meets(Obb<S, N>{half.front(), half.back(), {}}, half));
   // A segment through (3, 4) as a box, with a corner on it and next to it.
   const Obb<S, N> line{{}, at<S, N>(10), three_four_fifths_frame<S, N>()};
   auto corner = at<S, N>(3, 4);

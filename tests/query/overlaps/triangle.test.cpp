@@ -54,7 +54,7 @@ TEMPLATE_TEST_CASE("overlaps, obb and triangle: corner, edge, face, inside, coll
   CHECK(meet(Box{at<S, N>(2, 2, 1.5), unit, {}}, triangle) == (N == 2));
   CHECK(meet(Box{at<S, N>(2, 2), {}, {}}, triangle));
   CHECK_FALSE(meet(Box{at<S, N>(2, 2), at<S, N>(-1, 1, 1), {}}, triangle));
-  auto axes = std::array<Direction<S, N>, static_cast<std::size_t>(N)>{};
+  const std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
   const Box line{at<S, N>(9, 0), at<S, N>(0.5, 0.5), Rotation<S, N>::from_axes(axes)};
   CHECK(meet(line, triangle));
   CHECK_FALSE(meet(Box{at<S, N>(9.5, 0), line.half_extents, line.rotation}, triangle));
@@ -62,11 +62,8 @@ TEMPLATE_TEST_CASE("overlaps, obb and triangle: corner, edge, face, inside, coll
   const Triangle<S, N> behind{at<S, N>(10.5, 0), at<S, N>(12, 0), at<S, N>(11, 0)};
   CHECK_FALSE(meet(line, behind));
   CHECK(meet(line, Triangle<S, N>{at<S, N>(10, 0), behind.b, behind.c}));
-  axes[0] = toward<S, N>(1, 1);
-  axes[1] = toward<S, N>(-1, 1);
-  if constexpr (N == 3) axes[2] = Direction<S, N>::along(2);
-  CHECK(meet(Box{at<S, N>(5.25, 4), unit, Rotation<S, N>::from_axes(axes)}, triangle));
-  CHECK_FALSE(meet(Box{at<S, N>(5.5, 4), unit, Rotation<S, N>::from_axes(axes)}, triangle));
+  CHECK(meet(Box{at<S, N>(5.25, 4), unit, heading<S, N>(1, 1)}, triangle));
+  CHECK_FALSE(meet(Box{at<S, N>(5.5, 4), unit, heading<S, N>(1, 1)}, triangle));
 }
 
 TEMPLATE_TEST_CASE("overlaps, triangles: edge, corner, inside, pierced, collapsed", "[overlaps]",

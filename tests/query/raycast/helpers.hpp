@@ -16,16 +16,6 @@
 
 namespace detent::test {
 
-/// The point (x, y, z), or (x, y) in 2D.
-template <Scalar S, int N>
-constexpr Vec<S, N> at(double x, double y = 0, double z = 0) {
-  if constexpr (N == 2) {
-    return {num<S>(x), num<S>(y)};
-  } else {
-    return {num<S>(x), num<S>(y), num<S>(z)};
-  }
-}
-
 /// The corners of a frustum along z, from a square of side 2 at 1 to one of side 4 at 2.
 template <Scalar S>
 std::array<Vec<S, 3>, 8> frustum_corners() {
@@ -87,6 +77,21 @@ constexpr Direction<S, N> three_four_fifths() {
   raw[0] = static_cast<Raw>(3 * fifth);
   raw[1] = static_cast<Raw>(4 * fifth);
   return *Direction<S, N>::from_raw(raw);
+}
+
+/// A rotation with these axes x and y and, in 3D, the default z.
+template <Scalar S, int N>
+Rotation<S, N> frame(const Direction<S, N>& x, const Direction<S, N>& y) {
+  if constexpr (N == 2) {
+    return Rotation<S, 2>::from_axes({x, y});
+  } else {
+    return Rotation<S, 3>::from_axes({x, y, Direction<S, 3>::along(2)});
+  }
+}
+/// Local x is along (x, y), local y to the left of it, and local z is unchanged.
+template <Scalar S, int N>
+Rotation<S, N> heading(double x, double y) {
+  return frame(toward<S, N>(x, y), toward<S, N>(-y, x));
 }
 
 /// The distance; checks that the three raycasts agree on whether and where the ray enters.

@@ -16,16 +16,6 @@ static_assert(raycast_interval(along_x, ahead) == Interval<q16_16>{q16_16(4), q1
 static_assert(!raycast(along_x, Obb<q16_16, 3>{at<q16_16, 3>(5, 3), at<q16_16, 3>(1, 2, 3), {}}));
 static_assert(noexcept(raycast(along_x, ahead)));
 
-/// Local x is along (x, y), local y to the left of it, and local z is unchanged.
-template <Scalar S, int N>
-Rotation<S, N> heading(double x, double y) {
-  std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
-  axes[0] = toward<S, N>(x, y);
-  axes[1] = toward<S, N>(-y, x);
-  if constexpr (N == 3) axes[2] = toward<S, N>(0, 0, 1);
-  return Rotation<S, N>::from_axes(axes);
-}
-
 /// `heading(3, 4)`, exactly orthogonal.
 template <Scalar S, int N>
 Rotation<S, N> exact_heading() {
@@ -35,11 +25,7 @@ Rotation<S, N> exact_heading() {
     if (i == 0) return narrow<bits_of<Component>>(-along[1]);
     return i == 1 ? along[0] : Component();
   }));
-  std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
-  axes[0] = along;
-  axes[1] = left;
-  if constexpr (N == 3) axes[2] = Direction<S, N>::along(2);
-  return Rotation<S, N>::from_axes(axes);
+  return frame(along, left);
 }
 
 TEMPLATE_TEST_CASE("ray against OBB: it hits, misses and touches as drawn", "[raycast]",

@@ -8,8 +8,8 @@ namespace detent::detail {
 
 /// A box along the axes: N! times its volume, and gyrations (s_j^2 + s_k^2) / 12 for sides s.
 template <Scalar S, int N>
-[[nodiscard]] constexpr MassProperties<S, N> box_properties(const Aabb<S, N>& box,
-                                                            const S& density) noexcept {
+[[nodiscard]] constexpr MassProperties<S, N> solid_properties(const Aabb<S, N>& box,
+                                                              const S& density) noexcept {
   using Formats = MassFormats<S>;
   using Gyration = typename Formats::Gyration;
   if (is_empty(box)) return {};
@@ -30,8 +30,8 @@ template <Scalar S, int N>
 /// An oriented box, whose axes a are taken as orthonormal: the gyration is the sum of
 /// (h_j^2 + h_k^2) / 3 a_i a_i^T for half extents h.
 template <Scalar S, int N>
-[[nodiscard]] constexpr MassProperties<S, N> box_properties(const Obb<S, N>& box,
-                                                            const S& density) noexcept {
+[[nodiscard]] constexpr MassProperties<S, N> solid_properties(const Obb<S, N>& box,
+                                                              const S& density) noexcept {
   using Formats = MassFormats<S>;
   using Gyration = typename Formats::Gyration;
   if (is_empty(box)) return {};

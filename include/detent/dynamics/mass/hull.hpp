@@ -134,8 +134,8 @@ constexpr void visit_edges(const HullGrid<S, 3>& grid, const Visit& visit) noexc
 /// the first moments, 12 times the polar second moment. They never decrease, so the hull bounds
 /// them: lengths below 2^(b + 1) raw units, b the bits of the scalar.
 template <Scalar S>
-[[nodiscard]] constexpr MassProperties<S, 2> hull_properties(const ConvexHull<S, 2>& hull,
-                                                             const S& density) noexcept {
+[[nodiscard]] constexpr MassProperties<S, 2> solid_properties(const ConvexHull<S, 2>& hull,
+                                                              const S& density) noexcept {
   using Formats = MassFormats<S>;
   constexpr int b = bits_of<S>;
   if (is_empty(hull)) return {};
@@ -165,8 +165,8 @@ template <Scalar S>
 /// times the first moments, 120 times the second moments. They never decrease, so the hull bounds
 /// them: lengths below 2^(b + 1) raw units, b the bits of the scalar.
 template <Scalar S>
-[[nodiscard]] constexpr MassProperties<S, 3> hull_properties(const ConvexHull<S, 3>& hull,
-                                                             const S& density) noexcept {
+[[nodiscard]] constexpr MassProperties<S, 3> solid_properties(const ConvexHull<S, 3>& hull,
+                                                              const S& density) noexcept {
   using Formats = MassFormats<S>;
   using Gyration = typename Formats::Gyration;
   constexpr int b = bits_of<S>;

@@ -10,7 +10,7 @@ namespace detent::detail {
 
 /// The disc: twice the area is 2 pi r^2, the gyration r^2 / 2.
 template <Scalar S>
-[[nodiscard]] constexpr MassProperties<S, 2> round_properties(const Sphere<S, 2>& disc,
+[[nodiscard]] constexpr MassProperties<S, 2> solid_properties(const Sphere<S, 2>& disc,
                                                               const S& density) noexcept {
   using Formats = MassFormats<S>;
   if (disc.radius <= 0) return {};
@@ -23,7 +23,7 @@ template <Scalar S>
 
 /// The ball: 6 times the volume is 8 pi r^3, the gyration 2 r^2 / 5 about every axis.
 template <Scalar S>
-[[nodiscard]] constexpr MassProperties<S, 3> round_properties(const Sphere<S, 3>& ball,
+[[nodiscard]] constexpr MassProperties<S, 3> solid_properties(const Sphere<S, 3>& ball,
                                                               const S& density) noexcept {
   using Formats = MassFormats<S>;
   using Gyration = typename Formats::Gyration;
@@ -51,7 +51,7 @@ template <Scalar S, int N>
 /// The stadium with an axis of length l: twice the area is 2 r (2 l + pi r), and the gyration is
 /// (2 l^3 + 24 r^2 l + pi (3 r l^2 + 6 r^3)) / (12 (2 l + pi r)).
 template <Scalar S>
-[[nodiscard]] constexpr MassProperties<S, 2> round_properties(const Capsule<S, 2>& capsule,
+[[nodiscard]] constexpr MassProperties<S, 2> solid_properties(const Capsule<S, 2>& capsule,
                                                               const S& density) noexcept {
   using Formats = MassFormats<S>;
   if (capsule.radius <= 0) return {};
@@ -71,13 +71,13 @@ template <Scalar S>
 /// p = r^2 (15 l + 16 r) / (20 (3 l + 4 r)) and q = (l + r) (l + 3 r) / (4 l (3 l + 4 r)) the second
 /// moments about its center, divided by its volume, are p I + q d d^T.
 template <Scalar S>
-[[nodiscard]] constexpr MassProperties<S, 3> round_properties(const Capsule<S, 3>& capsule,
+[[nodiscard]] constexpr MassProperties<S, 3> solid_properties(const Capsule<S, 3>& capsule,
                                                               const S& density) noexcept {
   using Formats = MassFormats<S>;
   using Gyration = typename Formats::Gyration;
   if (capsule.radius <= 0) return {};
   if (capsule.a == capsule.b) {
-    return round_properties(Sphere<S, 3>{capsule.a, capsule.radius}, density);
+    return solid_properties(Sphere<S, 3>{capsule.a, capsule.radius}, density);
   }
   const auto axis = axis_of(capsule);
   const auto r = capsule.radius;

@@ -121,7 +121,6 @@ class SegmentInFrame {
   using Clip = RayClip<S, Place, Place, 124>;
   using Rough = Fixed<20, 0>;
   using OverOrUnder = Fixed<125, 2 * frac>;
-  using RoughVec = Vec<Rough, N>;
   using Spot = Fixed<63, frac>;  // in the world
 
   [[nodiscard]] static constexpr std::size_t at(int i) noexcept {

@@ -107,7 +107,6 @@ class TouchFeature {
   using Place = decltype(Corner() - Way() * S());
   using PlacePart = std::remove_cvref_t<decltype(Place().x)>;
   using Rough = Fixed<28, 0>;
-  using RoughEdge = Vec<Fixed<29, 0>, 3>;
   using Edge = decltype(Vec<S, 3>() - Vec<S, 3>());
   using Slack = Fixed<21, 0>;
 
