@@ -126,7 +126,8 @@ TEST_CASE("contacts: a ball between two others, in exact numbers") {
   World<S, 3, Sphere> world(settings);
   const auto low = *world.add(Sphere<S, 3>{at3(0, 0, 0), num<S>(1)}, {.motion = BodyMotion::fixed});
   const auto middle = *world.add(Sphere<S, 3>{at3(0.125, 1.75, 0.25), num<S>(0.75)});
-  const auto top = *world.add(Sphere<S, 3>{at3(0.25, 2.875, 0.125), num<S>(0.5)}, {.density = S(9)});
+  const auto top =
+      *world.add(Sphere<S, 3>{at3(0.25, 2.875, 0.125), num<S>(0.5)}, {.density = S(9)});
   int seen = 0;
   for (int tick = 0; tick < 40; ++tick) {
     world.step();
@@ -212,7 +213,8 @@ TEST_CASE("contacts: parts of compounds and triangles of meshes have their numbe
   const auto triangles = square<S>(4, 8, level);
   const Owned<S> ground{triangles};
   World<S, 3, Obb, Sphere, BodyCompound, BodyMesh> world(restless<S, 3>());
-  const auto floor = *world.add(BodyMesh<S, 3>{&ground.asset, {}, {}}, {.motion = BodyMotion::fixed});
+  const auto floor =
+      *world.add(BodyMesh<S, 3>{&ground.asset, {}, {}}, {.motion = BodyMotion::fixed});
   const auto id = *world.add(BodyCompound<S, 3>{&table, {}, {}});
   step(world, 30);
   std::array<double, 3> impulse{};
