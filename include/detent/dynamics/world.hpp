@@ -511,16 +511,12 @@ class BasicWorld {
   /// exact:  each number rounded once and clamped          (docs/dynamics.md, tests/dynamics/world_contact.test.cpp)
   template <class F>
   constexpr void for_each_contact(const F& f) const {
-    for_each_contact_if([](const auto&) { return true; }, f);
+    visit_contacts(nullptr, f);
   }
   /// The same for the contacts of one body; none if no body has this id.
   template <class F>
   constexpr void for_each_contact(const BodyId& id, const F& f) const {
-    if (find(id) == nullptr) return;
-    const auto is_of_it = [&](const detail::BodyPair& pair) {
-      return pair.a == id.index || pair.b == id.index;
-    };
-    for_each_contact_if(is_of_it, f);
+    if (find(id) != nullptr) visit_contacts(&id, f);
   }
   /// Pairs that began or stopped touching in the last step.
   [[nodiscard]] constexpr std::size_t event_count() const noexcept { return events_.size(); }
@@ -616,29 +612,30 @@ class BasicWorld {
     }
     return true;
   }
-  /// Calls f with each contact that touches of each pair for which `is_wanted`.
-  template <class Wanted, class F>
-  constexpr void for_each_contact_if(const Wanted& is_wanted, const F& f) const {
+  /// Calls f with each contact that touches, of one body or of all.
+  template <class F>
+  constexpr void visit_contacts(const BodyId* only, const F& f) const {
     for (std::size_t i = 0, first = 0; i < contacts_.size(); first = i) {
       const auto pair = detail::pair_of(contacts_[i]);
       bool touches = false;
       for (; i < contacts_.size() && detail::pair_of(contacts_[i]) == pair; ++i) {
         touches = touches || contacts_[i].touches;
       }
-      if (!touches || !is_wanted(pair)) continue;
+      const bool is_wanted = only == nullptr || pair.a == only->index || pair.b == only->index;
+      if (!touches || !is_wanted) continue;
       Tick::visit_touching(bodies_, contacts_, first, settings_.margin, pace_.margin,
                            [&](const auto& contact, const auto& before, const auto& at_a,
                                const auto& manifold, const auto& offset) {
                              const auto touch = touch_of(Tick::touching(bodies_, contact), true);
-            WorldContact<S, N> view;
-            view.a = touch.a;
-            view.b = touch.b;
-            view.part_a = touch.part_a;
-            view.part_b = touch.part_b;
-            view.triangle = Tick::triangle_of(bodies_, contact);
-            detail::describe<S, N>(view, bodies_[pair.a], bodies_[pair.b], contact, before, at_a,
-                                   manifold, offset, pace_.rate);
-            f(view);
+                             WorldContact<S, N> view;
+                             view.a = touch.a;
+                             view.b = touch.b;
+                             view.part_a = touch.part_a;
+                             view.part_b = touch.part_b;
+                             view.triangle = Tick::triangle_of(bodies_, contact);
+                             detail::describe<S, N>(view, bodies_[pair.a], bodies_[pair.b], contact,
+                                                    before, at_a, manifold, offset, pace_.rate);
+                             f(view);
                            });
     }
   }
