@@ -126,18 +126,23 @@ class Tick {
   }
 
   /// Calls f for each contact of a pair that touches and pushes, as the next run would find it: with
-  /// the contact and its predecessor in `contacts`, where those of the pair begin at `first`, the
-  /// support of a, the manifold, and the position of b relative to a.
+  /// the contact, the support of a, the manifold, and the position of b relative to a. Those of the
+  /// pair in `contacts` begin at `first`.
   template <class F2>
   static constexpr void visit_touching(const Bodies& bodies, const Contacts& contacts,
                                        std::size_t first, const S& reach,
                                        const typename F::Lever& margin, const F2& f) {
     const auto pair = pair_of(contacts[first]);
     const Body &a = bodies[pair.a], &b = bodies[pair.b];
-    const PairSupports held{pair.a, held_support(a), held_support(b)};
-    Visitor<F2> visitor{bodies, held, f};
-    touch_pair(bodies, pair, held, slack_of(a) + slack_of(b), contacts, first, reach, margin,
-               visitor);
+    const auto held_a = held_support(a), held_b = held_support(b);
+    PairSearch search;
+    touch_pair(bodies, {pair.a, held_a, held_b}, pair, slack_of(a) + slack_of(b), contacts, first,
+               reach, margin, search);
+    for (std::size_t i = 0; i < search.contacts.size(); ++i) {
+      const auto& contact = search.contacts[i];
+      if (!contact.touches || is_sensed(bodies, contact)) continue;
+      f(contact, held_a, search.manifolds[i].manifold, search.manifolds[i].offset);
+    }
   }
 
   /// The identity of a contact in events: bodies, and the parts of compounds, but no triangles.
@@ -179,7 +184,7 @@ class Tick {
   /// The supports of two bodies, by their indices.
   struct PairSupports {
     std::uint32_t index_of_a;
-    Support<S, N> a, b;
+    const Support<S, N>&a, &b;
 
     [[nodiscard]] constexpr const Support<S, N>& operator[](std::uint32_t index) const noexcept {
       return index == index_of_a ? a : b;
@@ -190,41 +195,21 @@ class Tick {
   static constexpr bool has_groups = uses_long_lanes<Storage, S, N>;
   using ColourEnds = std::array<std::uint32_t, colours + 1>;
 
-  template <std::size_t Room>
-  using Facets = List<FacetContact<S>, (is_surface_body<Parts> || ...) ? Room : 0>;
-
   /// The contacts of some pairs, in order, and their manifolds.
-  struct Search {
-    static constexpr std::size_t facets_room = contacts_room;
-    Contacts contacts;
-    List<Found, contacts_room> manifolds;
-    Facets<facets_room> facets;
+  template <std::size_t Room>
+  struct SearchOf {
+    static constexpr std::size_t room = Room;
+    List<ContactState, Room> contacts;
+    List<Found, Room> manifolds;
+    List<FacetContact<S>, (is_surface_body<Parts> || ...) ? Room : 0> facets;
 
-    [[nodiscard]] constexpr bool is_full() const noexcept {
-      return contacts.size() >= contacts_room;
-    }
-    constexpr void add(const ContactState& contact, const Found& found,
-                       const ContactState* /*before*/) {
-      contacts.push_back(contact);
-      manifolds.push_back(found);
-    }
+    [[nodiscard]] constexpr bool is_full() const noexcept { return contacts.size() >= Room; }
   };
-  /// Calls a function with the contacts of a pair that touch and push, and stores none.
-  template <class F2>
-  struct Visitor {
-    static constexpr std::size_t facets_room = (std::min)(contacts_room, std::size_t{64});
-    const Bodies& bodies;
-    const PairSupports& held;
-    const F2& f;
-    Facets<facets_room> facets{};
-
-    [[nodiscard]] static constexpr bool is_full() noexcept { return false; }
-    constexpr void add(const ContactState& contact, const Found& found,
-                       const ContactState* before) const {
-      if (before == nullptr || !contact.touches || is_sensed(bodies, contact)) return;
-      f(contact, *before, held[contact.a], found.manifold, found.offset);
-    }
-  };
+  using Search = SearchOf<contacts_room>;
+  /// The contacts of one pair: of the same type if it allocates, otherwise small enough for a stack.
+  static constexpr bool is_growing = requires { Storage::is_growing; };
+  using PairSearch =
+      SearchOf<is_growing ? contacts_room : (std::min)(contacts_room, std::size_t{64})>;
 
   template <class Threads>
   constexpr void place(const Bodies& bodies, const Threads& threads) {
@@ -446,8 +431,7 @@ class Tick {
            static_cast<std::uint32_t>(i)});
     }
     if (swept_.size() == 0) return;
-    constexpr bool has_room = requires { Storage::is_growing; };
-    if constexpr (has_room) {
+    if constexpr (is_growing) {
       order_entries(swept_, unordered_entries_, lane_);
     } else {
       order_entries(swept_);
@@ -459,7 +443,7 @@ class Tick {
         pairs_.push_back(pair);
       }
     });
-    if constexpr (has_room) {
+    if constexpr (is_growing) {
       if (pairs_.size() > 32) {
         order_pairs(pairs_, unordered_pairs_, lane_, bodies.size());
         return;
@@ -473,10 +457,9 @@ class Tick {
   template <class Threads>
   constexpr void touch(const Bodies& bodies, const Contacts& before, const S& reach,
                        const typename F::Lever& margin, const Threads& threads) {
-    constexpr bool has_lists = requires { Storage::is_growing; };
     found_.contacts.clear();
     found_.manifolds.clear();
-    if constexpr (Threads::are_many && has_lists) {
+    if constexpr (Threads::are_many && is_growing) {
       searches_.resize((pairs_.size() + pairs_a_call - 1) / pairs_a_call);
       threads.each(0, searches_.size(), 1, [&](std::size_t k) {
         auto mine = std::move(searches_[k]);
@@ -516,16 +499,17 @@ class Tick {
       while (old < before.size() && pair_of(before[old]) < pair) ++old;
       auto slack = typename F::Lever() + typename F::Lever();
       if (are_held_) slack = slacks_[pair.a] + slacks_[pair.b];
-      touch_pair(bodies, pair, held(), slack, before, old, least_reach, least_margin, out);
+      touch_pair(bodies, {pair.a, held()[pair.a], held()[pair.b]}, pair, slack, before, old,
+                 least_reach, least_margin, out);
     }
   }
 
   /// The contacts of a pair of bodies whose supports are in `held`. `before` has the contacts of the
   /// last tick; those of this pair begin at `old`.
-  template <class Held, class Slack, class Out>
-  static constexpr void touch_pair(const Bodies& bodies, const BodyPair& pair, const Held& held,
-                                   const Slack& slack, const Contacts& before, std::size_t old,
-                                   S reach, typename F::Lever margin, Out& out) {
+  template <class Slack, class Out>
+  static constexpr void touch_pair(const Bodies& bodies, const PairSupports& held,
+                                   const BodyPair& pair, const Slack& slack, const Contacts& before,
+                                   std::size_t old, S reach, typename F::Lever margin, Out& out) {
     if (slack != 0) {
       reach = wider(reach, slack);
       margin = saturate_to<typename F::Lever>(margin + slack);
@@ -593,9 +577,10 @@ class Tick {
          std::uint32_t) -> Placed<Shape>;
 
   /// Calls f for each part of a compound in order, or once for a body with a single shape.
-  template <class Held, class Shape, class Visit>
-  static constexpr void for_each_placed(const Bodies& bodies, std::uint32_t body, const Held& held,
-                                        const Shape& shape, const Visit& f) {
+  template <class Shape, class Visit>
+  static constexpr void for_each_placed(const Bodies& bodies, std::uint32_t body,
+                                        const PairSupports& held, const Shape& shape,
+                                        const Visit& f) {
     if constexpr (is_compound_body<Shape>) {
       if (shape.asset == nullptr) return;
       const auto parts = shape.asset->parts();
@@ -615,10 +600,10 @@ class Tick {
   }
 
   /// The contacts of two bodies, at least one of which is a compound.
-  template <class Held, class A, class B, class Out>
-  static constexpr void touch_parts(const Bodies& bodies, const BodyPair& pair, const Held& held,
-                                    const A& first, const B& second, const Contacts& before,
-                                    std::size_t old, const S& reach,
+  template <class A, class B, class Out>
+  static constexpr void touch_parts(const Bodies& bodies, const BodyPair& pair,
+                                    const PairSupports& held, const A& first, const B& second,
+                                    const Contacts& before, std::size_t old, const S& reach,
                                     const typename F::Lever& margin, Out& out) {
     const auto known = [&](const ContactKey& key) {
       while (old < before.size() && key_of(before[old]) < key) ++old;
@@ -670,17 +655,18 @@ class Tick {
 
   /// The contacts of a surface, which is the first or the second of the pair, and a solid. `before`
   /// has the contacts of the last tick; those of these bodies are at `old` or later.
-  template <class Held, class Terrain, class Solid, class Out>
-  static constexpr void touch_terrain(const Bodies& bodies, ContactKey key, const Held& held,
-                                      const Terrain& terrain, const Placed<Solid>& solid,
-                                      bool is_first, const Contacts& before, std::size_t old,
-                                      const S& reach, const typename F::Lever& margin, Out& out) {
+  template <class Terrain, class Solid, class Out>
+  static constexpr void touch_terrain(const Bodies& bodies, ContactKey key,
+                                      const PairSupports& held, const Terrain& terrain,
+                                      const Placed<Solid>& solid, bool is_first,
+                                      const Contacts& before, std::size_t old, const S& reach,
+                                      const typename F::Lever& margin, Out& out) {
     const auto& ground = held[is_first ? key.pair.a : key.pair.b];
     const auto& support = solid.support;
     const auto pose = relative_pose(ground, support, offset_between(ground, support));
     const auto offset = offset_between(held[key.pair.a], held[key.pair.b]);
     const auto back = relative_pose(held[key.pair.a], held[key.pair.b], offset);
-    FacetContacts<decltype(out.facets), S> contacts(out.facets, Out::facets_room);
+    FacetContacts<decltype(out.facets), S> contacts(out.facets, Out::room);
     contacts.find(terrain, solid.shape, pose, solid.reach, reach, margin);
     std::size_t end = old;
     while (end < before.size() && pair_of(before[end]) == key.pair &&
@@ -703,7 +689,8 @@ class Tick {
     if (found.manifold.count == 0) return;
     auto contact = continued(key, found.manifold, before);
     if (is_sensed(bodies, contact)) contact = sensed(key, found.manifold);
-    out.add(contact, found, before);
+    out.contacts.push_back(contact);
+    out.manifolds.push_back(found);
   }
 
   /// Whether one of two bodies is a sensor, so that neither is pushed.

@@ -623,20 +623,20 @@ class BasicWorld {
       }
       const bool is_wanted = only == nullptr || pair.a == only->index || pair.b == only->index;
       if (!touches || !is_wanted) continue;
-      Tick::visit_touching(bodies_, contacts_, first, settings_.margin, pace_.margin,
-                           [&](const auto& contact, const auto& before, const auto& at_a,
-                               const auto& manifold, const auto& offset) {
-                             const auto touch = touch_of(Tick::touching(bodies_, contact), true);
-                             WorldContact<S, N> view;
-                             view.a = touch.a;
-                             view.b = touch.b;
-                             view.part_a = touch.part_a;
-                             view.part_b = touch.part_b;
-                             view.triangle = Tick::triangle_of(bodies_, contact);
-                             detail::describe<S, N>(view, bodies_[pair.a], bodies_[pair.b], contact,
-                                                    before, at_a, manifold, offset, pace_.rate);
-                             f(view);
-                           });
+      Tick::visit_touching(
+          bodies_, contacts_, first, settings_.margin, pace_.margin,
+          [&](const auto& contact, const auto& at_a, const auto& manifold, const auto& offset) {
+            const auto touch = touch_of(Tick::touching(bodies_, contact), true);
+            WorldContact<S, N> view;
+            view.a = touch.a;
+            view.b = touch.b;
+            view.part_a = touch.part_a;
+            view.part_b = touch.part_b;
+            view.triangle = Tick::triangle_of(bodies_, contact);
+            detail::describe<S, N>(view, bodies_[pair.a], bodies_[pair.b], contact, at_a, manifold,
+                                   offset, pace_.rate);
+            f(view);
+          });
     }
   }
   template <class Joint>

@@ -57,8 +57,8 @@ template <Scalar S, class Body, Number T>
 /// position of b relative to a when both are there.
 template <Scalar S, int N, class Body>
 constexpr void describe(WorldContact<S, N>& out, const Body& a, const Body& b,
-                        const BodyContact<S, N>& contact, const BodyContact<S, N>& before,
-                        const Support<S, N>& at_a, const Manifold<S, N>& manifold,
+                        const BodyContact<S, N>& contact, const Support<S, N>& at_a,
+                        const Manifold<S, N>& manifold,
                         const Vec<typename Formats<S>::Lever, N>& from_a_to_b, int rate) noexcept {
   using F = Formats<S>;
   const auto to_world = [&](const auto& v, int k) {
@@ -90,8 +90,8 @@ constexpr void describe(WorldContact<S, N>& out, const Body& a, const Body& b,
     point.feature = from.feature;
   }
   auto pressure = narrow<34>(typename F::Impulse() + typename F::Impulse());
-  for (std::size_t i = 0; i < before.count; ++i)
-    pressure = narrow<34>(pressure + before.pressure[i]);
+  for (std::size_t i = 0; i < contact.count; ++i)
+    pressure = narrow<34>(pressure + contact.pressure[i]);
   out.impulse = momentum_of<S>(a, b, pressure, rate);
   const auto across = tangents<S, N>(n);
   out.friction = make_vec<N>([&](int k) {
