@@ -26,7 +26,8 @@ if command -v chromium >/dev/null; then
 fi
 falls=$(sed -n 's/^    \(y .*digest .*\)/\1/p' docs/bindings.md) number=0
 for wanted in "$falls" 9; do
-  bash tests/docs/block.sh docs/bindings.md js $((++number)) | sed "s|'detent'|'./index.mjs'|" >"$work/page.mjs"
+  number=$((number + 1))
+  bash tests/docs/block.sh docs/bindings.md js $number | sed "s|'detent'|'./index.mjs'|" >"$work/page.mjs"
   said=$(node "$work/page.mjs")
   [[ $said == "$wanted" ]] || { echo "program $number of the page prints $said"; exit 1; }
 done

@@ -16,6 +16,7 @@ export DETENT_LIBRARY DETENT_MATCH PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=bindings
 "$python" bindings/python/tests/test_detent.py
 falls=$(sed -n 's/^    \(y .*digest .*\)/\1/p' docs/bindings.md)
 for wanted in "$falls" 'True 9.0'; do
-  said=$(bash tests/docs/block.sh docs/bindings.md python $((++number)) | "$python" -)
+  number=$((number + 1))
+  said=$(bash tests/docs/block.sh docs/bindings.md python $number | "$python" -)
   [[ $said == "$wanted" ]] || { echo "program $number of the page prints $said"; exit 1; }
 done
