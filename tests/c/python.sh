@@ -4,7 +4,7 @@
 # Runs the tests of the Python binding and the page's programs, with Debian's python3 if it has
 # numpy.
 set -euo pipefail
-python= number=0
+python='' number=0
 for name in python3 /usr/bin/python3; do
   command -v "$name" >/dev/null || continue
   python=${python:-$name}
