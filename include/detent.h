@@ -460,6 +460,30 @@ typedef struct detent_move2 {
   detent_mover2_touch touched[8];
 } detent_move2;
 
+/** A point at which two bodies touch. Lengths and impulses in steps of 2^-16. */
+typedef struct detent_world2_contact_point {
+  detent_vec2 point; /**< in the world, midway between the surfaces */
+  int32_t separation;  /**< negative where they overlap */
+  int32_t impulse;     /**< along the normal */
+  uint32_t feature;    /**< identifies the corners, edges or faces that meet */
+} detent_world2_contact_point;
+
+/** The contact of two bodies; for compounds that of two parts, for meshes and height fields that of
+ *  one triangle. The first `count` points are set, the others are zero. Impulses act on b; a gets
+ *  the opposite. They are those of the last substep, in units of mass times units per second. */
+typedef struct detent_world2_contact {
+  detent_id a;
+  detent_id b;
+  uint32_t part_a;   /**< the index of the compound's part; 0 for other bodies */
+  uint32_t part_b;
+  uint32_t triangle; /**< of a mesh or height field */
+  detent_direction2 normal; /**< from a to b */
+  int32_t impulse;            /**< along the normal, of all points */
+  detent_vec2 friction;     /**< the impulse of friction, across the normal */
+  uint32_t count;
+  detent_world2_contact_point points[2];
+} detent_world2_contact;
+
 /** Settings of a world. Lengths and speeds in steps of 2^-16. */
 typedef struct detent_world2_settings {
   int32_t ticks_per_second;
@@ -712,6 +736,30 @@ typedef struct detent_move3 {
   uint32_t is_stuck;     /**< 1: it still overlaps something it could not be pushed out of */
   detent_mover3_touch touched[8];
 } detent_move3;
+
+/** A point at which two bodies touch. Lengths and impulses in steps of 2^-16. */
+typedef struct detent_world3_contact_point {
+  detent_vec3 point; /**< in the world, midway between the surfaces */
+  int32_t separation;  /**< negative where they overlap */
+  int32_t impulse;     /**< along the normal */
+  uint32_t feature;    /**< identifies the corners, edges or faces that meet */
+} detent_world3_contact_point;
+
+/** The contact of two bodies; for compounds that of two parts, for meshes and height fields that of
+ *  one triangle. The first `count` points are set, the others are zero. Impulses act on b; a gets
+ *  the opposite. They are those of the last substep, in units of mass times units per second. */
+typedef struct detent_world3_contact {
+  detent_id a;
+  detent_id b;
+  uint32_t part_a;   /**< the index of the compound's part; 0 for other bodies */
+  uint32_t part_b;
+  uint32_t triangle; /**< of a mesh or height field */
+  detent_direction3 normal; /**< from a to b */
+  int32_t impulse;            /**< along the normal, of all points */
+  detent_vec3 friction;     /**< the impulse of friction, across the normal */
+  uint32_t count;
+  detent_world3_contact_point points[4];
+} detent_world3_contact;
 
 /** Settings of a world. Lengths and speeds in steps of 2^-16. */
 typedef struct detent_world3_settings {
@@ -1296,6 +1344,27 @@ DETENT_API detent_status detent_world2_set_rotation(detent_context* context, det
                                                       detent_id id,
                                                       const detent_rotation2* rotation);
 
+/** Sets the layers of a body and those it collides with, and wakes it and the bodies it touched.
+ *  Contacts begin and end in the next step. Snapshots contain what is set; those taken before a fixed
+ *  body was changed cannot be restored afterwards. DETENT_NO if no body has this id. */
+DETENT_API detent_status detent_world2_set_filter(detent_context* context, detent_handle world,
+                                                    detent_id id, uint32_t layers,
+                                                    uint32_t collides_with);
+
+/** Sets the friction of a body, in steps of 2^-16 and at least 0, otherwise like
+ *  `detent_world2_set_filter`. Compounds use that of their parts. */
+DETENT_API detent_status detent_world2_set_friction(detent_context* context, detent_handle world,
+                                                      detent_id id, int32_t friction);
+
+/** Sets the restitution of a body, otherwise like `detent_world2_set_friction`. */
+DETENT_API detent_status detent_world2_set_restitution(detent_context* context,
+                                                         detent_handle world, detent_id id,
+                                                         int32_t restitution);
+
+/** Makes a body a sensor (1) or solid (0), otherwise like `detent_world2_set_filter`. */
+DETENT_API detent_status detent_world2_set_sensor(detent_context* context, detent_handle world,
+                                                    detent_id id, uint32_t is_sensor);
+
 /** Sets the velocity of a body, in units per second, and wakes it. Does nothing to fixed bodies. */
 DETENT_API detent_status detent_world2_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec2* velocity);
@@ -1392,6 +1461,14 @@ DETENT_API detent_status detent_world2_body_ids(const detent_context* context,
 DETENT_API detent_status detent_world2_touching(const detent_context* context,
                                                   detent_handle world, detent_id body,
                                                   detent_touch* touches, uint32_t room,
+                                                  uint32_t* count);
+
+/** The contacts that touch, sorted by id, part and triangle; of one body, or of all if `body` is
+ *  {0, 0}; none of sensors. Their normals and points are computed from the current poses, as the next
+ *  step would find them. Writes the first `room` of them, and their number to `count`. */
+DETENT_API detent_status detent_world2_contacts(const detent_context* context,
+                                                  detent_handle world, detent_id body,
+                                                  detent_world2_contact* contacts, uint32_t room,
                                                   uint32_t* count);
 
 /** The pairs that began or ceased to touch in the last step, sorted by id. A pair of a sensor and a
@@ -1979,6 +2056,27 @@ DETENT_API detent_status detent_world3_set_rotation(detent_context* context, det
                                                       detent_id id,
                                                       const detent_rotation3* rotation);
 
+/** Sets the layers of a body and those it collides with, and wakes it and the bodies it touched.
+ *  Contacts begin and end in the next step. Snapshots contain what is set; those taken before a fixed
+ *  body was changed cannot be restored afterwards. DETENT_NO if no body has this id. */
+DETENT_API detent_status detent_world3_set_filter(detent_context* context, detent_handle world,
+                                                    detent_id id, uint32_t layers,
+                                                    uint32_t collides_with);
+
+/** Sets the friction of a body, in steps of 2^-16 and at least 0, otherwise like
+ *  `detent_world3_set_filter`. Compounds use that of their parts. */
+DETENT_API detent_status detent_world3_set_friction(detent_context* context, detent_handle world,
+                                                      detent_id id, int32_t friction);
+
+/** Sets the restitution of a body, otherwise like `detent_world3_set_friction`. */
+DETENT_API detent_status detent_world3_set_restitution(detent_context* context,
+                                                         detent_handle world, detent_id id,
+                                                         int32_t restitution);
+
+/** Makes a body a sensor (1) or solid (0), otherwise like `detent_world3_set_filter`. */
+DETENT_API detent_status detent_world3_set_sensor(detent_context* context, detent_handle world,
+                                                    detent_id id, uint32_t is_sensor);
+
 /** Sets the velocity of a body, in units per second, and wakes it. Does nothing to fixed bodies. */
 DETENT_API detent_status detent_world3_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec3* velocity);
@@ -2075,6 +2173,14 @@ DETENT_API detent_status detent_world3_body_ids(const detent_context* context,
 DETENT_API detent_status detent_world3_touching(const detent_context* context,
                                                   detent_handle world, detent_id body,
                                                   detent_touch* touches, uint32_t room,
+                                                  uint32_t* count);
+
+/** The contacts that touch, sorted by id, part and triangle; of one body, or of all if `body` is
+ *  {0, 0}; none of sensors. Their normals and points are computed from the current poses, as the next
+ *  step would find them. Writes the first `room` of them, and their number to `count`. */
+DETENT_API detent_status detent_world3_contacts(const detent_context* context,
+                                                  detent_handle world, detent_id body,
+                                                  detent_world3_contact* contacts, uint32_t room,
                                                   uint32_t* count);
 
 /** The pairs that began or ceased to touch in the last step, sorted by id. A pair of a sensor and a
@@ -2346,6 +2452,8 @@ typedef char detent_mover2_has_its_size[sizeof(detent_mover2) == 84 ? 1 : -1];
 typedef char detent_mover2_settings_has_its_size[sizeof(detent_mover2_settings) == 24 ? 1 : -1];
 typedef char detent_mover2_touch_has_its_size[sizeof(detent_mover2_touch) == 24 ? 1 : -1];
 typedef char detent_move2_has_its_size[sizeof(detent_move2) == 224 ? 1 : -1];
+typedef char detent_world2_contact_point_has_its_size[sizeof(detent_world2_contact_point) == 20 ? 1 : -1];
+typedef char detent_world2_contact_has_its_size[sizeof(detent_world2_contact) == 92 ? 1 : -1];
 typedef char detent_world2_settings_has_its_size[sizeof(detent_world2_settings) == 36 ? 1 : -1];
 typedef char detent_body2_options_has_its_size[sizeof(detent_body2_options) == 80 ? 1 : -1];
 typedef char detent_part2_has_its_size[sizeof(detent_part2) == 60 ? 1 : -1];
@@ -2373,6 +2481,8 @@ typedef char detent_mover3_has_its_size[sizeof(detent_mover3) == 124 ? 1 : -1];
 typedef char detent_mover3_settings_has_its_size[sizeof(detent_mover3_settings) == 28 ? 1 : -1];
 typedef char detent_mover3_touch_has_its_size[sizeof(detent_mover3_touch) == 32 ? 1 : -1];
 typedef char detent_move3_has_its_size[sizeof(detent_move3) == 300 ? 1 : -1];
+typedef char detent_world3_contact_point_has_its_size[sizeof(detent_world3_contact_point) == 24 ? 1 : -1];
+typedef char detent_world3_contact_has_its_size[sizeof(detent_world3_contact) == 156 ? 1 : -1];
 typedef char detent_world3_settings_has_its_size[sizeof(detent_world3_settings) == 40 ? 1 : -1];
 typedef char detent_body3_options_has_its_size[sizeof(detent_body3_options) == 96 ? 1 : -1];
 typedef char detent_part3_has_its_size[sizeof(detent_part3) == 88 ? 1 : -1];

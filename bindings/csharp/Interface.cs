@@ -342,6 +342,31 @@ public struct Move2 {
   public Mover2Touch touched7;
 }
 
+/// <summary>A point at which two bodies touch. Lengths and impulses in steps of 2^-16.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct World2ContactPoint {
+  public Vec2 point;
+  public int separation;
+  public int impulse;
+  public uint feature;
+}
+
+/// <summary>The contact of two bodies; for compounds that of two parts, for meshes and height fields that of one triangle. The first `count` points are set, the others are zero. Impulses act on b; a gets the opposite. They are those of the last substep, in units of mass times units per second.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct World2Contact {
+  public Id a;
+  public Id b;
+  public uint part_a;
+  public uint part_b;
+  public uint triangle;
+  public Direction2 normal;
+  public int impulse;
+  public Vec2 friction;
+  public uint count;
+  public World2ContactPoint points0;
+  public World2ContactPoint points1;
+}
+
 /// <summary>Settings of a world. Lengths and speeds in steps of 2^-16.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct World2Settings {
@@ -628,6 +653,33 @@ public struct Move3 {
   public Mover3Touch touched5;
   public Mover3Touch touched6;
   public Mover3Touch touched7;
+}
+
+/// <summary>A point at which two bodies touch. Lengths and impulses in steps of 2^-16.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct World3ContactPoint {
+  public Vec3 point;
+  public int separation;
+  public int impulse;
+  public uint feature;
+}
+
+/// <summary>The contact of two bodies; for compounds that of two parts, for meshes and height fields that of one triangle. The first `count` points are set, the others are zero. Impulses act on b; a gets the opposite. They are those of the last substep, in units of mass times units per second.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct World3Contact {
+  public Id a;
+  public Id b;
+  public uint part_a;
+  public uint part_b;
+  public uint triangle;
+  public Direction3 normal;
+  public int impulse;
+  public Vec3 friction;
+  public uint count;
+  public World3ContactPoint points0;
+  public World3ContactPoint points1;
+  public World3ContactPoint points2;
+  public World3ContactPoint points3;
 }
 
 /// <summary>Settings of a world. Lengths and speeds in steps of 2^-16.</summary>
@@ -1092,6 +1144,18 @@ public static unsafe class C {
   public static extern int detent_world2_set_rotation(ContextMemory* context, uint world, Id id, Rotation2* rotation);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_set_filter(ContextMemory* context, uint world, Id id, uint layers, uint collides_with);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_set_friction(ContextMemory* context, uint world, Id id, int friction);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_set_restitution(ContextMemory* context, uint world, Id id, int restitution);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_set_sensor(ContextMemory* context, uint world, Id id, uint is_sensor);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_set_velocity(ContextMemory* context, uint world, Id id, Vec2* velocity);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1144,6 +1208,9 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_touching(ContextMemory* context, uint world, Id body, Touch* touches, uint room, uint* count);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_contacts(ContextMemory* context, uint world, Id body, World2Contact* contacts, uint room, uint* count);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_events(ContextMemory* context, uint world, Touch* events, uint room, uint* count);
@@ -1461,6 +1528,18 @@ public static unsafe class C {
   public static extern int detent_world3_set_rotation(ContextMemory* context, uint world, Id id, Rotation3* rotation);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_set_filter(ContextMemory* context, uint world, Id id, uint layers, uint collides_with);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_set_friction(ContextMemory* context, uint world, Id id, int friction);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_set_restitution(ContextMemory* context, uint world, Id id, int restitution);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_set_sensor(ContextMemory* context, uint world, Id id, uint is_sensor);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_set_velocity(ContextMemory* context, uint world, Id id, Vec3* velocity);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1513,6 +1592,9 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_touching(ContextMemory* context, uint world, Id body, Touch* touches, uint room, uint* count);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_contacts(ContextMemory* context, uint world, Id body, World3Contact* contacts, uint room, uint* count);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_events(ContextMemory* context, uint world, Touch* events, uint room, uint* count);
@@ -1680,6 +1762,8 @@ public static unsafe class C {
     if (sizeof(Mover2Settings) != 24) throw new TypeLoadException("detent_mover2_settings");
     if (sizeof(Mover2Touch) != 24) throw new TypeLoadException("detent_mover2_touch");
     if (sizeof(Move2) != 224) throw new TypeLoadException("detent_move2");
+    if (sizeof(World2ContactPoint) != 20) throw new TypeLoadException("detent_world2_contact_point");
+    if (sizeof(World2Contact) != 92) throw new TypeLoadException("detent_world2_contact");
     if (sizeof(World2Settings) != 36) throw new TypeLoadException("detent_world2_settings");
     if (sizeof(Body2Options) != 80) throw new TypeLoadException("detent_body2_options");
     if (sizeof(Part2) != 60) throw new TypeLoadException("detent_part2");
@@ -1707,6 +1791,8 @@ public static unsafe class C {
     if (sizeof(Mover3Settings) != 28) throw new TypeLoadException("detent_mover3_settings");
     if (sizeof(Mover3Touch) != 32) throw new TypeLoadException("detent_mover3_touch");
     if (sizeof(Move3) != 300) throw new TypeLoadException("detent_move3");
+    if (sizeof(World3ContactPoint) != 24) throw new TypeLoadException("detent_world3_contact_point");
+    if (sizeof(World3Contact) != 156) throw new TypeLoadException("detent_world3_contact");
     if (sizeof(World3Settings) != 40) throw new TypeLoadException("detent_world3_settings");
     if (sizeof(Body3Options) != 96) throw new TypeLoadException("detent_body3_options");
     if (sizeof(Part3) != 88) throw new TypeLoadException("detent_part3");

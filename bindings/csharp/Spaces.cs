@@ -191,6 +191,27 @@ public unsafe class World2 {
   public bool SetRotation(Id id, Rotation2 rotation) {
     return Number.Check(C.detent_world2_set_rotation(context.Memory, Handle, id, &rotation));
   }
+  public bool SetFilter(Id id, uint layers, uint collidesWith) {
+    return Number.Check(C.detent_world2_set_filter(context.Memory, Handle, id, layers, collidesWith));
+  }
+  public bool SetFriction(Id id, int friction) {
+    return Number.Check(C.detent_world2_set_friction(context.Memory, Handle, id, friction));
+  }
+  public bool SetRestitution(Id id, int restitution) {
+    return Number.Check(C.detent_world2_set_restitution(context.Memory, Handle, id, restitution));
+  }
+  public bool SetSensor(Id id, bool isSensor) {
+    return Number.Check(C.detent_world2_set_sensor(context.Memory, Handle, id, isSensor ? 1u : 0u));
+  }
+  /// <summary>Writes as many contacts of a body as there is room for; new Id() for those of all.
+  /// Returns how many there are. The first `count` of their points are set.</summary>
+  public int Contacts(Id id, World2Contact[] contacts) {
+    uint count;
+    fixed (World2Contact* to = contacts) {
+      Number.Check(C.detent_world2_contacts(context.Memory, Handle, id, to, (uint)contacts.Length, &count));
+    }
+    return (int)count;
+  }
   public bool SetVelocity(Id id, Vec2 velocity) {
     return Number.Check(C.detent_world2_set_velocity(context.Memory, Handle, id, &velocity));
   }
@@ -566,6 +587,27 @@ public unsafe class World3 {
   }
   public bool SetRotation(Id id, Rotation3 rotation) {
     return Number.Check(C.detent_world3_set_rotation(context.Memory, Handle, id, &rotation));
+  }
+  public bool SetFilter(Id id, uint layers, uint collidesWith) {
+    return Number.Check(C.detent_world3_set_filter(context.Memory, Handle, id, layers, collidesWith));
+  }
+  public bool SetFriction(Id id, int friction) {
+    return Number.Check(C.detent_world3_set_friction(context.Memory, Handle, id, friction));
+  }
+  public bool SetRestitution(Id id, int restitution) {
+    return Number.Check(C.detent_world3_set_restitution(context.Memory, Handle, id, restitution));
+  }
+  public bool SetSensor(Id id, bool isSensor) {
+    return Number.Check(C.detent_world3_set_sensor(context.Memory, Handle, id, isSensor ? 1u : 0u));
+  }
+  /// <summary>Writes as many contacts of a body as there is room for; new Id() for those of all.
+  /// Returns how many there are. The first `count` of their points are set.</summary>
+  public int Contacts(Id id, World3Contact[] contacts) {
+    uint count;
+    fixed (World3Contact* to = contacts) {
+      Number.Check(C.detent_world3_contacts(context.Memory, Handle, id, to, (uint)contacts.Length, &count));
+    }
+    return (int)count;
   }
   public bool SetVelocity(Id id, Vec3 velocity) {
     return Number.Check(C.detent_world3_set_velocity(context.Memory, Handle, id, &velocity));

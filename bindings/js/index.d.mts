@@ -37,6 +37,7 @@ export type Id = types.Id;
 export interface Of2 {
   vec: types.Vec2; shape: types.Shape2; ray: types.Ray2; hit: types.Hit2; objectHit: types.ObjectHit2;
   settings: types.World2Settings; options: types.Body2Options; body: types.Body2;
+  worldContact: types.World2Contact;
   contactPoint: types.ContactPoint2; sweep: types.Sweep2; joint: types.Joint2; part: types.Part2;
   transform: types.Transform2; mover: types.Mover2; moverSettings: types.Mover2Settings;
   move: types.Move2;
@@ -44,6 +45,7 @@ export interface Of2 {
 export interface Of3 {
   vec: types.Vec3; shape: types.Shape3; ray: types.Ray3; hit: types.Hit3; objectHit: types.ObjectHit3;
   settings: types.World3Settings; options: types.Body3Options; body: types.Body3;
+  worldContact: types.World3Contact;
   contactPoint: types.ContactPoint3; sweep: types.Sweep3; joint: types.Joint3; part: types.Part3;
   transform: types.Transform3; mover: types.Mover3; moverSettings: types.Mover3Settings;
   move: types.Move3;
@@ -217,6 +219,10 @@ export declare class World<D extends Of> extends Held {
   /** Puts a body elsewhere, or turns it, at once. It keeps its joints. */
   setPosition(id: Id, position: D['vec']): boolean;
   setRotation(id: Id, axis: D['vec'][]): boolean;
+  setFilter(id: Id, layers: number, collidesWith: number): boolean;
+  setFriction(id: Id, friction: number): boolean;
+  setRestitution(id: Id, restitution: number): boolean;
+  setSensor(id: Id, isSensor: boolean): boolean;
   setVelocity(id: Id, velocity: D['vec']): boolean;
   setAngularVelocity(id: Id, velocity: number[]): boolean;
   applyImpulse(id: Id, impulse: D['vec'], at?: D['vec']): boolean;
@@ -234,6 +240,8 @@ export declare class World<D extends Of> extends Held {
   frame(id: Id): D['transform'] | null;
   /** The pairs that touch, of one body or of all. */
   touching(id?: Id): types.Touch[];
+  /** The contacts that touch, of one body or of all; none of sensors. */
+  contacts(id?: Id): Omit<D['worldContact'], 'count'>[];
   events(): types.Touch[];
 }
 

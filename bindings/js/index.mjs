@@ -876,6 +876,20 @@ class World extends Held {
     return this.call((memory) =>
       this.run('set_position', memory.put('detent_id', id), memory.put(this.types.vec, position)));
   }
+  /** Sets the layers of a body and those it collides with. False if no body has this id. */
+  setFilter(id, layers, collidesWith) {
+    return this.call((memory) => this.run('set_filter', memory.put('detent_id', id), layers, collidesWith));
+  }
+  setFriction(id, friction) {
+    return this.call((memory) => this.run('set_friction', memory.put('detent_id', id), friction));
+  }
+  setRestitution(id, restitution) {
+    return this.call((memory) => this.run('set_restitution', memory.put('detent_id', id), restitution));
+  }
+  /** Makes a body a sensor or solid. */
+  setSensor(id, isSensor) {
+    return this.call((memory) => this.run('set_sensor', memory.put('detent_id', id), isSensor ? 1 : 0));
+  }
   /** Turns a body about its center at once; it keeps its joints. */
   setRotation(id, axis) {
     return this.call((memory) =>
@@ -982,11 +996,19 @@ class World extends Held {
   }
   /** The pairs that touch, of one body or of all. */
   touching(id = { index: 0, generation: 0 }) {
+    return this.listOf('touching', 'detent_touch', id);
+  }
+  /** The contacts that touch, of one body or of all; none of sensors. */
+  contacts(id = { index: 0, generation: 0 }) {
+    return this.listOf('contacts', `detent_world${this.space.dimension}_contact`, id)
+      .map(({ count, points, ...rest }) => ({ ...rest, points: points.slice(0, count) }));
+  }
+  listOf(name, type, id) {
     const { memory } = this.context.detent;
     const at = memory.allocate(8);
     try {
       memory.write(at, 'detent_id', id);
-      return this.list('touching', 'detent_touch', at);
+      return this.list(name, type, at);
     } finally {
       memory.exports.free(at);
     }

@@ -363,6 +363,28 @@ export interface Move2 {
   touched: Mover2Touch[];
 }
 
+/** A point at which two bodies touch. Lengths and impulses in steps of 2^-16. */
+export interface World2ContactPoint {
+  point: Vec2;
+  separation: number;
+  impulse: number;
+  feature: number;
+}
+
+/** The contact of two bodies; for compounds that of two parts, for meshes and height fields that of one triangle. The first `count` points are set, the others are zero. Impulses act on b; a gets the opposite. They are those of the last substep, in units of mass times units per second. */
+export interface World2Contact {
+  a: Id;
+  b: Id;
+  part_a: number;
+  part_b: number;
+  triangle: number;
+  normal: Direction2;
+  impulse: number;
+  friction: Vec2;
+  count: number;
+  points: World2ContactPoint[];
+}
+
 /** Settings of a world. Lengths and speeds in steps of 2^-16. */
 export interface World2Settings {
   ticks_per_second: number;
@@ -596,6 +618,28 @@ export interface Move3 {
   count: number;
   is_stuck: number;
   touched: Mover3Touch[];
+}
+
+/** A point at which two bodies touch. Lengths and impulses in steps of 2^-16. */
+export interface World3ContactPoint {
+  point: Vec3;
+  separation: number;
+  impulse: number;
+  feature: number;
+}
+
+/** The contact of two bodies; for compounds that of two parts, for meshes and height fields that of one triangle. The first `count` points are set, the others are zero. Impulses act on b; a gets the opposite. They are those of the last substep, in units of mass times units per second. */
+export interface World3Contact {
+  a: Id;
+  b: Id;
+  part_a: number;
+  part_b: number;
+  triangle: number;
+  normal: Direction3;
+  impulse: number;
+  friction: Vec3;
+  count: number;
+  points: World3ContactPoint[];
 }
 
 /** Settings of a world. Lengths and speeds in steps of 2^-16. */

@@ -31,6 +31,7 @@ struct Types;
     using Settings = detent_world##N##_settings;      \
     using BodyOptions = detent_body##N##_options;     \
     using Body = detent_body##N;                      \
+    using WorldContact = detent_world##N##_contact;   \
     using Joint = detent_joint##N;                    \
     using Part = detent_part##N;                      \
     using Mover = detent_mover##N;                    \

@@ -241,6 +241,29 @@ struct Worlds {
       return yes_or_no(object.set_rotation(id_of(id), axes));
     });
   }
+  static detent_status set_filter(detent_context* context, detent_handle world, detent_id id,
+                                  std::uint32_t layers, std::uint32_t collides_with) {
+    return change(context, world, [&](World& object) {
+      return yes_or_no(object.set_filter(id_of(id), layers, collides_with));
+    });
+  }
+  static detent_status set_friction(detent_context* context, detent_handle world, detent_id id,
+                                    std::int32_t friction) {
+    return change_body(context, world, id, friction >= 0, [&](World& object) {
+      object.set_friction(id_of(id), Input<N>::number(friction));
+    });
+  }
+  static detent_status set_restitution(detent_context* context, detent_handle world, detent_id id,
+                                       std::int32_t restitution) {
+    return change_body(context, world, id, restitution >= 0, [&](World& object) {
+      object.set_restitution(id_of(id), Input<N>::number(restitution));
+    });
+  }
+  static detent_status set_sensor(detent_context* context, detent_handle world, detent_id id,
+                                  std::uint32_t is_sensor) {
+    return change_body(context, world, id, is_sensor <= 1,
+                       [&](World& object) { object.set_sensor(id_of(id), is_sensor == 1); });
+  }
   static detent_status set_velocity(detent_context* context, detent_handle world, detent_id id,
                                     const typename T::Vec* velocity) {
     return change_body(context, world, id, velocity != nullptr, [&](World& object) {
@@ -384,6 +407,15 @@ struct Worlds {
       });
     });
   }
+  static detent_status contacts(const detent_context* context, detent_handle world, detent_id body,
+                                typename T::WorldContact* contacts, std::uint32_t room,
+                                std::uint32_t* count) {
+    return list(context, world, contacts, room, count, [&](const World& object, const auto& put) {
+      const auto visit = [&](const WorldContact<S, N>& contact) { put(contact_of(contact)); };
+      id_of(body) == BodyId{} ? object.for_each_contact(visit)
+                              : object.for_each_contact(id_of(body), visit);
+    });
+  }
   static detent_status events(const detent_context* context, detent_handle world,
                               detent_touch* events, std::uint32_t room, std::uint32_t* count) {
     return list(context, world, events, room, count, [](const World& object, const auto& put) {
@@ -466,6 +498,25 @@ struct Worlds {
   }
   static detent_touch touch_of(const TouchEvent& touch) noexcept {
     return {id_of(touch.a), id_of(touch.b), touch.begins ? 1u : 0u, touch.part_a, touch.part_b};
+  }
+
+  static typename T::WorldContact contact_of(const WorldContact<S, N>& own) noexcept {
+    typename T::WorldContact contact{};
+    contact.a = id_of(own.a);
+    contact.b = id_of(own.b);
+    contact.part_a = own.part_a;
+    contact.part_b = own.part_b;
+    contact.triangle = own.triangle;
+    contact.normal = Output<N>::direction(own.normal);
+    contact.impulse = own.impulse.raw();
+    contact.friction = Output<N>::vec(own.friction);
+    contact.count = static_cast<std::uint32_t>(own.count);
+    for (std::size_t i = 0; i < own.count; ++i) {
+      const auto& point = own.points[i];
+      contact.points[i] = {Output<N>::vec(point.point), point.separation.raw(), point.impulse.raw(),
+                           point.feature};
+    }
+    return contact;
   }
 
   /// f(world) if there is such a body and the arguments are valid.

@@ -100,6 +100,7 @@ struct Calls;
     DETENT_TEST_CALL(world, N, _body_ids)             \
     DETENT_TEST_CALL(world, N, _broken)               \
     DETENT_TEST_CALL(world, N, _change_joint)         \
+    DETENT_TEST_CALL(world, N, _contacts)             \
     DETENT_TEST_CALL(world, N, _create)               \
     DETENT_TEST_CALL(world, N, _default_settings)     \
     DETENT_TEST_CALL(world, N, _destroy)              \
@@ -118,8 +119,12 @@ struct Calls;
     DETENT_TEST_CALL(world, N, _remove_joint)         \
     DETENT_TEST_CALL(world, N, _restore)              \
     DETENT_TEST_CALL(world, N, _set_angular_velocity) \
+    DETENT_TEST_CALL(world, N, _set_filter)           \
+    DETENT_TEST_CALL(world, N, _set_friction)         \
     DETENT_TEST_CALL(world, N, _set_position)         \
+    DETENT_TEST_CALL(world, N, _set_restitution)      \
     DETENT_TEST_CALL(world, N, _set_rotation)         \
+    DETENT_TEST_CALL(world, N, _set_sensor)           \
     DETENT_TEST_CALL(world, N, _set_velocity)         \
     DETENT_TEST_CALL(world, N, _size)                 \
     DETENT_TEST_CALL(world, N, _snapshot)             \

@@ -20,6 +20,8 @@ Vec<S, N> vec(std::int64_t x, std::int64_t y) {
 /// 0 for an element that was not written.
 std::uint32_t generation_of(const detent_id& id) { return id.generation; }
 std::uint32_t generation_of(const detent_touch& touch) { return touch.a.generation; }
+std::uint32_t generation_of(const detent_world2_contact& contact) { return contact.a.generation; }
+std::uint32_t generation_of(const detent_world3_contact& contact) { return contact.a.generation; }
 
 /// A world in C and in C++ with a floor, a sensor, a hull, a ball and two compounds of a hull and a
 /// sensor, and a scene in C and in C++.
@@ -277,10 +279,81 @@ void check_lists() {
   CHECK((f.saved() == snapshot(f.twin)));
 }
 
+template <int N>
+void check_contacts() {
+  using C = Calls<N>;
+  using F = Followed<N>;
+  using Contact = typename c::Types<N>::WorldContact;
+  F f;
+  auto& context = f.context;
+  const auto contacts = [&](detent_id body) {
+    return F::template list<Contact>([&](std::uint32_t room, Contact* out, std::uint32_t* count) {
+      return C::world_contacts(&context, f.world, body, out, room, count);
+    });
+  };
+  CHECK(contacts({}).empty());
+  std::size_t seen = 0, points = 0;
+  for (int tick = 0; tick < 90; ++tick) {
+    CAPTURE(N, tick);
+    if (tick == 40) {
+      REQUIRE(C::world_set_filter(&context, f.world, f.hull, 2, 5) == DETENT_OK);
+      REQUIRE(f.twin.set_filter(id_of(f.hull), 2, 5));
+      REQUIRE(C::world_set_friction(&context, f.world, f.ball, one / 8) == DETENT_OK);
+      REQUIRE(f.twin.set_friction(id_of(f.ball), raw(one / 8)));
+      REQUIRE(C::world_set_restitution(&context, f.world, f.ball, one / 2) == DETENT_OK);
+      REQUIRE(f.twin.set_restitution(id_of(f.ball), raw(one / 2)));
+      REQUIRE(C::world_set_sensor(&context, f.world, f.zone, 0) == DETENT_OK);
+      REQUIRE(f.twin.set_sensor(id_of(f.zone), false));
+    }
+    f.step();
+    const auto now = contacts({});
+    std::size_t i = 0;
+    f.twin.for_each_contact([&](const WorldContact<S, N>& own) {
+      REQUIRE(i < now.size());
+      const auto& theirs = now[i++];
+      CHECK(id_of(theirs.a) == own.a);
+      CHECK(id_of(theirs.b) == own.b);
+      CHECK(theirs.part_a == own.part_a);
+      CHECK(theirs.part_b == own.part_b);
+      CHECK(theirs.triangle == own.triangle);
+      CHECK(theirs.normal.y == own.normal[1].raw());
+      CHECK(theirs.impulse == own.impulse.raw());
+      CHECK(theirs.friction.x == own.friction.x.raw());
+      REQUIRE(theirs.count == own.count);
+      for (std::size_t k = 0; k < own.count; ++k) {
+        CHECK(theirs.points[k].point.x == own.points[k].point.x.raw());
+        CHECK(theirs.points[k].separation == own.points[k].separation.raw());
+        CHECK(theirs.points[k].impulse == own.points[k].impulse.raw());
+        CHECK(theirs.points[k].feature == own.points[k].feature);
+        ++points;
+      }
+    });
+    CHECK(i == now.size());
+    std::size_t of_floor = 0;
+    for (const auto& contact : now) of_floor += id_of(contact.a) == id_of(f.floor) ? 1 : 0;
+    CHECK(contacts(f.floor).size() == of_floor);
+    seen += i;
+  }
+  CHECK(seen > 50);
+  CHECK(points > seen);
+  CHECK(C::world_set_friction(&context, f.world, f.ball, -1) == DETENT_BAD_ARGUMENT);
+  CHECK(C::world_set_restitution(&context, f.world, f.ball, -1) == DETENT_BAD_ARGUMENT);
+  CHECK(C::world_set_sensor(&context, f.world, f.ball, 2) == DETENT_BAD_ARGUMENT);
+  const detent_id none{f.ball.index, f.ball.generation + 1};
+  CHECK(C::world_set_filter(&context, f.world, none, 1, 1) == DETENT_NO);
+  CHECK(C::world_set_friction(&context, f.world, none, 1) == DETENT_NO);
+  CHECK(C::world_set_restitution(&context, f.world, none, 1) == DETENT_NO);
+  CHECK(C::world_set_sensor(&context, f.world, none, 1) == DETENT_NO);
+  CHECK(contacts(none).empty());
+  CHECK((f.saved() == snapshot(f.twin)));
+}
+
 TEST_CASE("C worlds: scenes follow them as in C++, in 2D") { check_following<2>(); }
 TEST_CASE("C worlds: scenes follow them as in C++, in 3D") { check_following<3>(); }
 TEST_CASE("C worlds: lists, properties and teleports are those of C++, in 2D") { check_lists<2>(); }
 TEST_CASE("C worlds: lists, properties and teleports are those of C++, in 3D") { check_lists<3>(); }
+TEST_CASE("C worlds: contacts and setters are those of C++, in 2D") { check_contacts<2>(); }
+TEST_CASE("C worlds: contacts and setters are those of C++, in 3D") { check_contacts<3>(); }
 
 }  // namespace
 }  // namespace detent::test_c

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # usage: javascript.sh MATCH_IN_CPP
 # The WebAssembly modules compile and stay below their size limit, the tests of the JavaScript
-# binding pass in node, and the page's example runs. If installed, tsc compiles the types and
+# binding pass in node, and the page's programs run. If installed, tsc compiles the types and
 # Chromium plays the match.
 set -euo pipefail
 command -v node >/dev/null || { echo 'skipped: node is not installed'; exit 77; }
@@ -24,6 +24,10 @@ if command -v chromium >/dev/null; then
   said=$(node tests/c/browser.mjs chromium "$work")
   [[ $said == "$("$1")" ]] || { echo "in a browser the match ends with $said"; exit 1; }
 fi
-sed -n '/^```js$/,/^```$/{/^```/d;p}' docs/bindings.md | sed "s|'detent'|'./index.mjs'|" >"$work/page.mjs"
-said=$(node "$work/page.mjs")
-[[ $said == '9' ]] || { echo "the page prints $said"; exit 1; }
+falls=$(sed -n 's/^    \(y .*digest .*\)/\1/p' docs/bindings.md) number=0
+for wanted in "$falls" 9; do
+  number=$((number + 1))
+  bash tests/docs/block.sh docs/bindings.md js $number | sed "s|'detent'|'./index.mjs'|" >"$work/page.mjs"
+  said=$(node "$work/page.mjs")
+  [[ $said == "$wanted" ]] || { echo "program $number of the page prints $said"; exit 1; }
+done

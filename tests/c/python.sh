@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: python.sh MATCH_IN_CPP LIBRARY
-# Runs the tests of the Python binding and the page's example, with Debian's python3 if it has
+# Runs the tests of the Python binding and the page's programs, with Debian's python3 if it has
 # numpy.
 set -euo pipefail
-python=
+python='' number=0
 for name in python3 /usr/bin/python3; do
   command -v "$name" >/dev/null || continue
   python=${python:-$name}
@@ -14,5 +14,9 @@ done
 DETENT_LIBRARY=$(realpath "$2") DETENT_MATCH=$("$1")
 export DETENT_LIBRARY DETENT_MATCH PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=bindings/python
 "$python" bindings/python/tests/test_detent.py
-said=$(sed -n '/^```python$/,/^```$/{/^```/d;p}' docs/bindings.md | "$python" -)
-[[ $said == 'True 9.0' ]] || { echo "the page prints $said"; exit 1; }
+falls=$(sed -n 's/^    \(y .*digest .*\)/\1/p' docs/bindings.md)
+for wanted in "$falls" 'True 9.0'; do
+  number=$((number + 1))
+  said=$(bash tests/docs/block.sh docs/bindings.md python $number | "$python" -)
+  [[ $said == "$wanted" ]] || { echo "program $number of the page prints $said"; exit 1; }
+done

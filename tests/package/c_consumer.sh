@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: c_consumer.sh PREFIX
-# Builds and runs the C program of docs/bindings.md against an installation: with find_package and
+# Builds and runs the first C program of docs/bindings.md against an installation: with find_package and
 # the shared or static library, and with pkg-config. Requesting a missing component is an error.
 set -euo pipefail
 compiler=$(command -v gcc || command -v cc) || { echo 'skipped: no C compiler is installed'; exit 77; }
 prefix=$(realpath "$1")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-sed -n '/^```c$/,/^```$/{/^```/d;p}' docs/bindings.md >"$work/main.c"
+bash tests/docs/block.sh docs/bindings.md c >"$work/main.c"
 cat >"$work/CMakeLists.txt" <<'EOF'
 cmake_minimum_required(VERSION 3.23)
 project(consumer LANGUAGES C CXX)

@@ -68,6 +68,25 @@ static class Tests {
     }
   }
 
+  static void Contacts() {
+    using (var context = new Context()) {
+      var world = new World2(context);
+      var fixedBody = World2.DefaultOptions();
+      fixedBody.motion = C.FIXED_BODY;
+      var floor = world.Add(D2.Aabb(At(-5 * One, -One), At(5 * One, 0)), fixedBody);
+      var box = world.Add(D2.Aabb(At(-One, 0), At(One, 2 * One)));
+      for (int tick = 0; tick < 30; ++tick) world.Step();
+      var contacts = new World2Contact[4];
+      Expect(world.Contacts(new Id(), contacts) == 1 && world.Contacts(box, contacts) == 1, "contacts");
+      Expect(contacts[0].a.Equals(floor) && contacts[0].normal.y == Number.Unit, "a contact");
+      Expect(Math.Abs(contacts[0].impulse - 4 * 10 * One / 240) < 500, "an impulse");
+      Expect(world.SetFriction(box, One / 4) && world.SetRestitution(box, One / 2), "a material");
+      Expect(world.SetSensor(box, true) && world.SetFilter(box, 2, 4), "a filter");
+      world.Step();
+      Expect(world.Contacts(box, contacts) == 0, "no contacts");
+    }
+  }
+
   // A million calls: allocating 16 bytes in each would trigger several collections.
   static void NoGarbage() {
     using (var context = new Context()) {
@@ -95,6 +114,7 @@ static class Tests {
     Queries();
     Scenes();
     Following();
+    Contacts();
     NoGarbage();
     Console.WriteLine(failed == 0 ? "all tests passed" : failed + " failed");
     return failed == 0 ? 0 : 1;

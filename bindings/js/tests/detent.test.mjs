@@ -108,6 +108,29 @@ test('scenes that follow worlds', async () => {
   context.close();
 });
 
+test('contacts and setters of bodies', async () => {
+  const library = await detent.load(3, file(3));
+  const { space } = library, context = library.open(), world = context.world();
+  const floor = world.add(space.aabb([-5 * ONE, -ONE, -5 * ONE], [5 * ONE, 0, 5 * ONE]), { motion: detent.FIXED });
+  const box = world.add(space.aabb([-ONE, 0, -ONE], [ONE, 2 * ONE, ONE]));
+  for (let tick = 0; tick < 30; ++tick) world.step();
+  const [contact] = world.contacts();
+  assert.deepEqual(world.contacts(box), [contact]);
+  assert.deepEqual([contact.a, contact.b, contact.normal, contact.points.length], [floor, box, [0, UNIT, 0], 4]);
+  assert.ok(Math.abs(detent.number(contact.impulse) - 8 * 10 / 240) < 0.01);  // its weight in a substep
+  assert.equal(world.setFriction(box, ONE / 4), true);
+  assert.equal(world.setRestitution(box, ONE / 2), true);
+  assert.equal(world.setSensor(box, true), true);
+  assert.equal(world.setFilter(box, 2, 4), true);
+  const { layers, collides_with, is_sensor } = world.info(box);
+  assert.deepEqual([layers, collides_with, is_sensor], [2, 4, 1]);
+  world.step();
+  assert.deepEqual([world.contacts(), world.events().length], [[], 1]);
+  assert.equal(world.setFilter({ index: 9, generation: 9 }, 1, 1), false);
+  assert.throws(() => world.setFriction(box, -1), detent.DetentError);
+  context.close();
+});
+
 test('worlds in 2D', async () => {
   const library = await detent.load(2, file(2));
   const { space } = library, world = library.open().world({ gravity: [0, -20 * ONE] });

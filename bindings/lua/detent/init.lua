@@ -179,6 +179,19 @@ function special.follow(self, world, sensors)
   return self:call('follow', world.handle, sensors and 1 or 0)
 end
 
+-- Worlds: the contacts that touch, of the body with this id or of all; none of sensors.
+function special.contacts(self, id)
+  local kind = ffi.typeof('detent_world' .. self.dimension .. '_contact[?]')
+  local size = count()
+  id = id or ffi.new('detent_id')
+  self:call('contacts', id, nil, 0, size)
+  local room, contacts = kind(size[0]), {}
+  self:call('contacts', id, room, size[0], size)
+  for i = 0, size[0] - 1 do contacts[i + 1] = room[i] end
+  contacts.memory = room  -- keeps it alive
+  return contacts
+end
+
 -- The names of the first fields in which two scenes or worlds differ.
 function special.diff(self, other, most)
   local size = count()

@@ -320,6 +320,24 @@ typedef struct detent_move2 {
   uint32_t is_stuck;
   detent_mover2_touch touched[8];
 } detent_move2;
+typedef struct detent_world2_contact_point {
+  detent_vec2 point;
+  int32_t separation;
+  int32_t impulse;
+  uint32_t feature;
+} detent_world2_contact_point;
+typedef struct detent_world2_contact {
+  detent_id a;
+  detent_id b;
+  uint32_t part_a;
+  uint32_t part_b;
+  uint32_t triangle;
+  detent_direction2 normal;
+  int32_t impulse;
+  detent_vec2 friction;
+  uint32_t count;
+  detent_world2_contact_point points[2];
+} detent_world2_contact;
 typedef struct detent_world2_settings {
   int32_t ticks_per_second;
   int32_t substeps;
@@ -507,6 +525,24 @@ typedef struct detent_move3 {
   uint32_t is_stuck;
   detent_mover3_touch touched[8];
 } detent_move3;
+typedef struct detent_world3_contact_point {
+  detent_vec3 point;
+  int32_t separation;
+  int32_t impulse;
+  uint32_t feature;
+} detent_world3_contact_point;
+typedef struct detent_world3_contact {
+  detent_id a;
+  detent_id b;
+  uint32_t part_a;
+  uint32_t part_b;
+  uint32_t triangle;
+  detent_direction3 normal;
+  int32_t impulse;
+  detent_vec3 friction;
+  uint32_t count;
+  detent_world3_contact_point points[4];
+} detent_world3_contact;
 typedef struct detent_world3_settings {
   int32_t ticks_per_second;
   int32_t substeps;
@@ -818,6 +854,16 @@ detent_status detent_world2_set_position(detent_context* context, detent_handle 
 detent_status detent_world2_set_rotation(detent_context* context, detent_handle world,
                                                       detent_id id,
                                                       const detent_rotation2* rotation);
+detent_status detent_world2_set_filter(detent_context* context, detent_handle world,
+                                                    detent_id id, uint32_t layers,
+                                                    uint32_t collides_with);
+detent_status detent_world2_set_friction(detent_context* context, detent_handle world,
+                                                      detent_id id, int32_t friction);
+detent_status detent_world2_set_restitution(detent_context* context,
+                                                         detent_handle world, detent_id id,
+                                                         int32_t restitution);
+detent_status detent_world2_set_sensor(detent_context* context, detent_handle world,
+                                                    detent_id id, uint32_t is_sensor);
 detent_status detent_world2_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec2* velocity);
 detent_status detent_world2_set_angular_velocity(detent_context* context,
@@ -863,6 +909,10 @@ detent_status detent_world2_body_ids(const detent_context* context,
 detent_status detent_world2_touching(const detent_context* context,
                                                   detent_handle world, detent_id body,
                                                   detent_touch* touches, uint32_t room,
+                                                  uint32_t* count);
+detent_status detent_world2_contacts(const detent_context* context,
+                                                  detent_handle world, detent_id body,
+                                                  detent_world2_contact* contacts, uint32_t room,
                                                   uint32_t* count);
 detent_status detent_world2_events(const detent_context* context, detent_handle world,
                                                 detent_touch* events, uint32_t room,
@@ -1148,6 +1198,16 @@ detent_status detent_world3_set_position(detent_context* context, detent_handle 
 detent_status detent_world3_set_rotation(detent_context* context, detent_handle world,
                                                       detent_id id,
                                                       const detent_rotation3* rotation);
+detent_status detent_world3_set_filter(detent_context* context, detent_handle world,
+                                                    detent_id id, uint32_t layers,
+                                                    uint32_t collides_with);
+detent_status detent_world3_set_friction(detent_context* context, detent_handle world,
+                                                      detent_id id, int32_t friction);
+detent_status detent_world3_set_restitution(detent_context* context,
+                                                         detent_handle world, detent_id id,
+                                                         int32_t restitution);
+detent_status detent_world3_set_sensor(detent_context* context, detent_handle world,
+                                                    detent_id id, uint32_t is_sensor);
 detent_status detent_world3_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec3* velocity);
 detent_status detent_world3_set_angular_velocity(detent_context* context,
@@ -1193,6 +1253,10 @@ detent_status detent_world3_body_ids(const detent_context* context,
 detent_status detent_world3_touching(const detent_context* context,
                                                   detent_handle world, detent_id body,
                                                   detent_touch* touches, uint32_t room,
+                                                  uint32_t* count);
+detent_status detent_world3_contacts(const detent_context* context,
+                                                  detent_handle world, detent_id body,
+                                                  detent_world3_contact* contacts, uint32_t room,
                                                   uint32_t* count);
 detent_status detent_world3_events(const detent_context* context, detent_handle world,
                                                 detent_touch* events, uint32_t room,
@@ -1341,6 +1405,8 @@ local sizes = {
   detent_mover2_settings = 24,
   detent_mover2_touch = 24,
   detent_move2 = 224,
+  detent_world2_contact_point = 20,
+  detent_world2_contact = 92,
   detent_world2_settings = 36,
   detent_body2_options = 80,
   detent_part2 = 60,
@@ -1368,6 +1434,8 @@ local sizes = {
   detent_mover3_settings = 28,
   detent_mover3_touch = 32,
   detent_move3 = 300,
+  detent_world3_contact_point = 24,
+  detent_world3_contact = 156,
   detent_world3_settings = 40,
   detent_body3_options = 96,
   detent_part3 = 88,

@@ -50,6 +50,24 @@ function tests.scenes_that_follow_worlds()
   context:close()
 end
 
+function tests.contacts_and_setters_of_bodies()
+  local context = detent.open()
+  local world = context:world2()
+  local options = world:options()
+  options.motion = detent.c.DETENT_FIXED_BODY
+  local floor = world:add(d2.aabb({ -5 * ONE, -ONE }, { 5 * ONE, 0 }), options)
+  local box = world:add(d2.aabb({ -ONE, 0 }, { ONE, 2 * ONE }))
+  for _ = 1, 30 do world:step() end
+  local contact = world:contacts(box)[1]
+  assert(#world:contacts() == 1 and contact.a.index == floor.index and contact.count == 2)
+  assert(contact.normal.y == UNIT and math.abs(contact.impulse - 4 * 10 * ONE / 240) < 500)
+  assert(world:set_friction(box, ONE / 4) and world:set_restitution(box, ONE / 2))
+  assert(world:set_sensor(box, 1) and world:set_filter(box, 2, 4))
+  world:step()
+  assert(#world:contacts() == 0)
+  context:close()
+end
+
 function tests.worlds()
   local context = detent.open()
   local world = context:world2()

@@ -135,6 +135,9 @@ Contact = namedtuple('Contact', 'normal depth points')
 Contact.__doc__ = 'How shapes a and b are separated: b by `depth` along `normal`, from a to b.'
 ContactPoint = namedtuple('ContactPoint', 'point depth feature')
 Impact = namedtuple('Impact', 'time distance is_hit')
+WorldContact = namedtuple('WorldContact', 'a b part_a part_b triangle normal impulse friction points')
+WorldContact.__doc__ = 'How two bodies touch: the normal from a to b, and the impulses on b.'
+WorldContactPoint = namedtuple('WorldContactPoint', 'point separation impulse feature')
 Impact.__doc__ = 'When moving shapes meet: `time` is in steps of 2^-30.'
 
 
@@ -745,6 +748,20 @@ class World(_Held):
         """Turns a body about its center at once; it keeps its joints."""
         return self._call('set_rotation', which._in_c(), self._space._rotated(axes))
 
+    def set_filter(self, which, layers, collides_with):
+        """Sets the layers of a body and those it collides with. False if no body has this id."""
+        return self._call('set_filter', which._in_c(), layers, collides_with)
+
+    def set_friction(self, which, friction):
+        return self._call('set_friction', which._in_c(), friction)
+
+    def set_restitution(self, which, restitution):
+        return self._call('set_restitution', which._in_c(), restitution)
+
+    def set_sensor(self, which, is_sensor):
+        """Makes a body a sensor or solid."""
+        return self._call('set_sensor', which._in_c(), int(is_sensor))
+
     def set_velocity(self, which, velocity):
         return self._call('set_velocity', which._in_c(), self._space._vec(*velocity))
 
@@ -834,6 +851,15 @@ class World(_Held):
         """(a, part_a, b, part_b) for each pair that touches, of one body or of all."""
         return [(_id(touch.a), touch.part_a, _id(touch.b), touch.part_b)
                 for touch in self._list('touching', c.detent_touch, which._in_c())]
+
+    def contacts(self, which=Id(0, 0)):
+        """A `WorldContact` for each contact that touches, of one body or of all; none of sensors."""
+        kind, vec = getattr(c, f'detent_world{self._space.dimension}_contact'), _Space._tuple
+        return [WorldContact(_id(one.a), _id(one.b), one.part_a, one.part_b, one.triangle,
+                             vec(one.normal), one.impulse, vec(one.friction),
+                             [WorldContactPoint(vec(point.point), point.separation, point.impulse,
+                                                point.feature) for point in one.points[:one.count]])
+                for one in self._list('contacts', kind, which._in_c())]
 
     def touches(self):
         """`touches` with the parts of compounds: (a, part_a, b, part_b, begins)."""

@@ -458,6 +458,32 @@ class detent_move2(Structure):
     ]
 
 
+class detent_world2_contact_point(Structure):
+    """A point at which two bodies touch. Lengths and impulses in steps of 2^-16."""
+    _fields_ = [
+        ('point', detent_vec2),
+        ('separation', c_int32),
+        ('impulse', c_int32),
+        ('feature', c_uint32),
+    ]
+
+
+class detent_world2_contact(Structure):
+    """The contact of two bodies; for compounds that of two parts, for meshes and height fields that of one triangle. The first `count` points are set, the others are zero. Impulses act on b; a gets the opposite. They are those of the last substep, in units of mass times units per second."""
+    _fields_ = [
+        ('a', detent_id),
+        ('b', detent_id),
+        ('part_a', c_uint32),
+        ('part_b', c_uint32),
+        ('triangle', c_uint32),
+        ('normal', detent_direction2),
+        ('impulse', c_int32),
+        ('friction', detent_vec2),
+        ('count', c_uint32),
+        ('points', detent_world2_contact_point * 2),
+    ]
+
+
 class detent_world2_settings(Structure):
     """Settings of a world. Lengths and speeds in steps of 2^-16."""
     _fields_ = [
@@ -761,6 +787,32 @@ class detent_move3(Structure):
     ]
 
 
+class detent_world3_contact_point(Structure):
+    """A point at which two bodies touch. Lengths and impulses in steps of 2^-16."""
+    _fields_ = [
+        ('point', detent_vec3),
+        ('separation', c_int32),
+        ('impulse', c_int32),
+        ('feature', c_uint32),
+    ]
+
+
+class detent_world3_contact(Structure):
+    """The contact of two bodies; for compounds that of two parts, for meshes and height fields that of one triangle. The first `count` points are set, the others are zero. Impulses act on b; a gets the opposite. They are those of the last substep, in units of mass times units per second."""
+    _fields_ = [
+        ('a', detent_id),
+        ('b', detent_id),
+        ('part_a', c_uint32),
+        ('part_b', c_uint32),
+        ('triangle', c_uint32),
+        ('normal', detent_direction3),
+        ('impulse', c_int32),
+        ('friction', detent_vec3),
+        ('count', c_uint32),
+        ('points', detent_world3_contact_point * 4),
+    ]
+
+
 class detent_world3_settings(Structure):
     """Settings of a world. Lengths and speeds in steps of 2^-16."""
     _fields_ = [
@@ -909,6 +961,8 @@ assert sizeof(detent_mover2) == 84
 assert sizeof(detent_mover2_settings) == 24
 assert sizeof(detent_mover2_touch) == 24
 assert sizeof(detent_move2) == 224
+assert sizeof(detent_world2_contact_point) == 20
+assert sizeof(detent_world2_contact) == 92
 assert sizeof(detent_world2_settings) == 36
 assert sizeof(detent_body2_options) == 80
 assert sizeof(detent_part2) == 60
@@ -936,6 +990,8 @@ assert sizeof(detent_mover3) == 124
 assert sizeof(detent_mover3_settings) == 28
 assert sizeof(detent_mover3_touch) == 32
 assert sizeof(detent_move3) == 300
+assert sizeof(detent_world3_contact_point) == 24
+assert sizeof(detent_world3_contact) == 156
 assert sizeof(detent_world3_settings) == 40
 assert sizeof(detent_body3_options) == 96
 assert sizeof(detent_part3) == 88
@@ -1461,6 +1517,31 @@ FUNCTIONS = {
         detent_id,
         POINTER(detent_rotation2),
     ]),
+    'detent_world2_set_filter': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        c_uint32,
+        c_uint32,
+    ]),
+    'detent_world2_set_friction': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        c_int32,
+    ]),
+    'detent_world2_set_restitution': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        c_int32,
+    ]),
+    'detent_world2_set_sensor': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        c_uint32,
+    ]),
     'detent_world2_set_velocity': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -1570,6 +1651,14 @@ FUNCTIONS = {
         c_uint32,
         detent_id,
         POINTER(detent_touch),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world2_contacts': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_world2_contact),
         c_uint32,
         POINTER(c_uint32),
     ]),
@@ -2218,6 +2307,31 @@ FUNCTIONS = {
         detent_id,
         POINTER(detent_rotation3),
     ]),
+    'detent_world3_set_filter': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        c_uint32,
+        c_uint32,
+    ]),
+    'detent_world3_set_friction': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        c_int32,
+    ]),
+    'detent_world3_set_restitution': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        c_int32,
+    ]),
+    'detent_world3_set_sensor': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        c_uint32,
+    ]),
     'detent_world3_set_velocity': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -2327,6 +2441,14 @@ FUNCTIONS = {
         c_uint32,
         detent_id,
         POINTER(detent_touch),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world3_contacts': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_world3_contact),
         c_uint32,
         POINTER(c_uint32),
     ]),

@@ -116,6 +116,34 @@ class Test(unittest.TestCase):
         self.assertEqual(world.touching(), [(gate, 0, ball, 0)])
         self.assertEqual((world.touching(ball), world.touching(pair)), ([(gate, 0, ball, 0)], []))
 
+    def test_contacts_and_setters(self):
+        world = self.context.world2()
+        floor = world.add(d2.aabb((-5 * ONE, -ONE), (5 * ONE, 0)), motion=detent.FIXED)
+        box = world.add(d2.aabb((-ONE, 0), (ONE, 2 * ONE)))
+        for tick in range(30):
+            world.step()
+        contact, = world.contacts()
+        self.assertEqual(world.contacts(box), [contact])
+        self.assertEqual((contact.a, contact.b, contact.part_a, contact.triangle), (floor, box, 0, 0))
+        self.assertEqual((contact.normal, contact.friction, len(contact.points)), ((0, UNIT), (0, 0), 2))
+        self.assertAlmostEqual(detent.number(contact.impulse), 4 * 10 / 240, 2)  # its weight in a substep
+        for point in contact.points:
+            self.assertAlmostEqual(abs(detent.number(point.point[0])), 1, 3)
+            self.assertAlmostEqual(point.impulse, contact.impulse / 2, delta=20)
+            self.assertLess(abs(point.separation), ONE // 50)
+        self.assertNotEqual(contact.points[0].feature, contact.points[1].feature)
+        self.assertTrue(world.set_friction(box, ONE // 4))
+        self.assertTrue(world.set_restitution(box, ONE // 2))
+        self.assertTrue(world.set_sensor(box, True))
+        self.assertTrue(world.set_filter(box, 2, 4))
+        info = world.info(box)
+        self.assertEqual((info.layers, info.collides_with, info.is_sensor), (2, 4, 1))
+        world.step()
+        self.assertEqual((world.contacts(), world.events()), ([], [(floor, box, False)]))
+        self.assertFalse(world.set_filter(detent.Id(9, 9), 1, 1))
+        with self.assertRaises(detent.Error):
+            world.set_friction(box, -1)
+
     def test_worlds(self):
         world = self.context.world2(gravity=(0, -20 * ONE))
         world.add(d2.aabb((-5 * ONE, -ONE), (5 * ONE, 0)), motion=detent.FIXED)

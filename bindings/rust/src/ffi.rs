@@ -487,6 +487,34 @@ const _: () = assert!(std::mem::size_of::<Move2>() == 224);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A point at which two bodies touch. Lengths and impulses in steps of 2^-16.
+pub struct World2ContactPoint {
+    pub point: Vec2,
+    pub separation: i32,
+    pub impulse: i32,
+    pub feature: u32,
+}
+const _: () = assert!(std::mem::size_of::<World2ContactPoint>() == 20);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The contact of two bodies; for compounds that of two parts, for meshes and height fields that of one triangle. The first `count` points are set, the others are zero. Impulses act on b; a gets the opposite. They are those of the last substep, in units of mass times units per second.
+pub struct World2Contact {
+    pub a: Id,
+    pub b: Id,
+    pub part_a: u32,
+    pub part_b: u32,
+    pub triangle: u32,
+    pub normal: Direction2,
+    pub impulse: i32,
+    pub friction: Vec2,
+    pub count: u32,
+    pub points: [World2ContactPoint; 2],
+}
+const _: () = assert!(std::mem::size_of::<World2Contact>() == 92);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 /// Settings of a world. Lengths and speeds in steps of 2^-16.
 pub struct World2Settings {
     pub ticks_per_second: i32,
@@ -817,6 +845,34 @@ const _: () = assert!(std::mem::size_of::<Move3>() == 300);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A point at which two bodies touch. Lengths and impulses in steps of 2^-16.
+pub struct World3ContactPoint {
+    pub point: Vec3,
+    pub separation: i32,
+    pub impulse: i32,
+    pub feature: u32,
+}
+const _: () = assert!(std::mem::size_of::<World3ContactPoint>() == 24);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The contact of two bodies; for compounds that of two parts, for meshes and height fields that of one triangle. The first `count` points are set, the others are zero. Impulses act on b; a gets the opposite. They are those of the last substep, in units of mass times units per second.
+pub struct World3Contact {
+    pub a: Id,
+    pub b: Id,
+    pub part_a: u32,
+    pub part_b: u32,
+    pub triangle: u32,
+    pub normal: Direction3,
+    pub impulse: i32,
+    pub friction: Vec3,
+    pub count: u32,
+    pub points: [World3ContactPoint; 4],
+}
+const _: () = assert!(std::mem::size_of::<World3Contact>() == 156);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 /// Settings of a world. Lengths and speeds in steps of 2^-16.
 pub struct World3Settings {
     pub ticks_per_second: i32,
@@ -1024,6 +1080,10 @@ extern "C" {
     pub fn detent_world2_info(context: *const Context, world: u32, id: Id, info: *mut BodyInfo) -> i32;
     pub fn detent_world2_set_position(context: *mut Context, world: u32, id: Id, position: *const Vec2) -> i32;
     pub fn detent_world2_set_rotation(context: *mut Context, world: u32, id: Id, rotation: *const Rotation2) -> i32;
+    pub fn detent_world2_set_filter(context: *mut Context, world: u32, id: Id, layers: u32, collides_with: u32) -> i32;
+    pub fn detent_world2_set_friction(context: *mut Context, world: u32, id: Id, friction: i32) -> i32;
+    pub fn detent_world2_set_restitution(context: *mut Context, world: u32, id: Id, restitution: i32) -> i32;
+    pub fn detent_world2_set_sensor(context: *mut Context, world: u32, id: Id, is_sensor: u32) -> i32;
     pub fn detent_world2_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec2) -> i32;
     pub fn detent_world2_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
     pub fn detent_world2_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec2, at: *const Vec2) -> i32;
@@ -1042,6 +1102,7 @@ extern "C" {
     pub fn detent_world2_size(context: *const Context, world: u32, size: *mut u32) -> i32;
     pub fn detent_world2_body_ids(context: *const Context, world: u32, ids: *mut Id, room: u32, count: *mut u32) -> i32;
     pub fn detent_world2_touching(context: *const Context, world: u32, body: Id, touches: *mut Touch, room: u32, count: *mut u32) -> i32;
+    pub fn detent_world2_contacts(context: *const Context, world: u32, body: Id, contacts: *mut World2Contact, room: u32, count: *mut u32) -> i32;
     pub fn detent_world2_events(context: *const Context, world: u32, events: *mut Touch, room: u32, count: *mut u32) -> i32;
     pub fn detent_world2_digest(context: *const Context, world: u32, digest: *mut u64) -> i32;
     pub fn detent_world2_digest_of(context: *const Context, world: u32, id: Id, digest: *mut u64) -> i32;
@@ -1147,6 +1208,10 @@ extern "C" {
     pub fn detent_world3_info(context: *const Context, world: u32, id: Id, info: *mut BodyInfo) -> i32;
     pub fn detent_world3_set_position(context: *mut Context, world: u32, id: Id, position: *const Vec3) -> i32;
     pub fn detent_world3_set_rotation(context: *mut Context, world: u32, id: Id, rotation: *const Rotation3) -> i32;
+    pub fn detent_world3_set_filter(context: *mut Context, world: u32, id: Id, layers: u32, collides_with: u32) -> i32;
+    pub fn detent_world3_set_friction(context: *mut Context, world: u32, id: Id, friction: i32) -> i32;
+    pub fn detent_world3_set_restitution(context: *mut Context, world: u32, id: Id, restitution: i32) -> i32;
+    pub fn detent_world3_set_sensor(context: *mut Context, world: u32, id: Id, is_sensor: u32) -> i32;
     pub fn detent_world3_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec3) -> i32;
     pub fn detent_world3_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
     pub fn detent_world3_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec3, at: *const Vec3) -> i32;
@@ -1165,6 +1230,7 @@ extern "C" {
     pub fn detent_world3_size(context: *const Context, world: u32, size: *mut u32) -> i32;
     pub fn detent_world3_body_ids(context: *const Context, world: u32, ids: *mut Id, room: u32, count: *mut u32) -> i32;
     pub fn detent_world3_touching(context: *const Context, world: u32, body: Id, touches: *mut Touch, room: u32, count: *mut u32) -> i32;
+    pub fn detent_world3_contacts(context: *const Context, world: u32, body: Id, contacts: *mut World3Contact, room: u32, count: *mut u32) -> i32;
     pub fn detent_world3_events(context: *const Context, world: u32, events: *mut Touch, room: u32, count: *mut u32) -> i32;
     pub fn detent_world3_digest(context: *const Context, world: u32, digest: *mut u64) -> i32;
     pub fn detent_world3_digest_of(context: *const Context, world: u32, id: Id, digest: *mut u64) -> i32;

@@ -255,7 +255,7 @@ macro_rules! space {
      $Vec:ident $Direction:ident $Rotation:ident $Transform:ident $Ray:ident $Shape:ident
      $ShapeAs:ident $Hit:ident $ObjectHit:ident $Settings:ident $Options:ident $Body:ident
      $Sphere:ident $Aabb:ident $Obb:ident $Plane:ident $Triangle:ident $Capsule:ident
-     $Segment:ident $ContactPoint:ident $Manifold:ident $Sweep:ident $Joint:ident
+     $Segment:ident $ContactPoint:ident $Manifold:ident $Sweep:ident $Joint:ident $Contact:ident
      $Mover:ident $MoverSettings:ident $Move:ident $Part:ident;
      $($alias:ident = $function:ident,)*) => {
         #[doc = $doc]
@@ -267,7 +267,7 @@ macro_rules! space {
                 $ContactPoint as ContactPoint, $Joint as Joint, $Manifold as Manifold, $Move as Move,
                 $Mover as Mover, $MoverSettings as MoverSettings, $Ray as Ray,
                 $Part as Part, $Settings as WorldSettings, $Shape as Shape, $Sweep as Sweep,
-                $Transform as Transform,
+                $Contact as WorldContact, $Transform as Transform,
             };
 
             pub(crate) fn vec(v: [i32; $n]) -> ffi::$Vec {
@@ -825,6 +825,24 @@ macro_rules! space {
                         world_set_rotation(self.at(), self.handle, id, &rotation(axes))
                     })
                 }
+                /// Sets the layers of a body and those it collides with. False if no body has this id.
+                pub fn set_filter(&mut self, id: Id, layers: u32, collides_with: u32) -> Result<bool> {
+                    check(unsafe {
+                        world_set_filter(self.at(), self.handle, id, layers, collides_with)
+                    })
+                }
+                /// Sets the friction of a body, in steps of 2^-16.
+                pub fn set_friction(&mut self, id: Id, friction: i32) -> Result<bool> {
+                    check(unsafe { world_set_friction(self.at(), self.handle, id, friction) })
+                }
+                /// Sets the restitution of a body, in steps of 2^-16.
+                pub fn set_restitution(&mut self, id: Id, restitution: i32) -> Result<bool> {
+                    check(unsafe { world_set_restitution(self.at(), self.handle, id, restitution) })
+                }
+                /// Makes a body a sensor or solid.
+                pub fn set_sensor(&mut self, id: Id, is_sensor: bool) -> Result<bool> {
+                    check(unsafe { world_set_sensor(self.at(), self.handle, id, is_sensor as u32) })
+                }
                 /// Sets the velocity of a body and wakes it.
                 pub fn set_velocity(&mut self, id: Id, velocity: [i32; $n]) -> Result<bool> {
                     check(unsafe { world_set_velocity(self.at(), self.handle, id, &vec(velocity)) })
@@ -885,6 +903,13 @@ macro_rules! space {
                 pub fn touching(&self, body: Id) -> Result<Vec<Touch>> {
                     list(|to, room, count| unsafe {
                         world_touching(self.at(), self.handle, body, to, room, count)
+                    })
+                }
+                /// The contacts that touch, of one body or, for `Id::default()`, of all; none of
+                /// sensors. The first `count` of their points are set.
+                pub fn contacts(&self, body: Id) -> Result<Vec<WorldContact>> {
+                    list(|to, room, count| unsafe {
+                        world_contacts(self.at(), self.handle, body, to, room, count)
                     })
                 }
                 /// The pairs that began or ceased to touch in the last step.
@@ -1127,7 +1152,7 @@ space! {
     Vec2 Direction2 Rotation2 Transform2 Ray2 Shape2
     Shape2As Hit2 ObjectHit2 World2Settings Body2Options Body2
     Sphere2 Aabb2 Obb2 Plane2 Triangle2 Capsule2
-    Segment2 ContactPoint2 Manifold2 Sweep2 Joint2
+    Segment2 ContactPoint2 Manifold2 Sweep2 Joint2 World2Contact
     Mover2 Mover2Settings Move2 Part2;
     raycast_ = detent_raycast2,
     raycast_many_ = detent_raycast2_many,
@@ -1192,6 +1217,11 @@ space! {
     world_set_position = detent_world2_set_position,
     world_set_rotation = detent_world2_set_rotation,
     world_touching = detent_world2_touching,
+    world_contacts = detent_world2_contacts,
+    world_set_filter = detent_world2_set_filter,
+    world_set_friction = detent_world2_set_friction,
+    world_set_restitution = detent_world2_set_restitution,
+    world_set_sensor = detent_world2_set_sensor,
     world_set_velocity = detent_world2_set_velocity,
     world_set_angular_velocity = detent_world2_set_angular_velocity,
     world_apply_impulse = detent_world2_apply_impulse,
@@ -1236,7 +1266,7 @@ space! {
     Vec3 Direction3 Rotation3 Transform3 Ray3 Shape3
     Shape3As Hit3 ObjectHit3 World3Settings Body3Options Body3
     Sphere3 Aabb3 Obb3 Plane3 Triangle3 Capsule3
-    Segment3 ContactPoint3 Manifold3 Sweep3 Joint3
+    Segment3 ContactPoint3 Manifold3 Sweep3 Joint3 World3Contact
     Mover3 Mover3Settings Move3 Part3;
     raycast_ = detent_raycast3,
     raycast_many_ = detent_raycast3_many,
@@ -1301,6 +1331,11 @@ space! {
     world_set_position = detent_world3_set_position,
     world_set_rotation = detent_world3_set_rotation,
     world_touching = detent_world3_touching,
+    world_contacts = detent_world3_contacts,
+    world_set_filter = detent_world3_set_filter,
+    world_set_friction = detent_world3_set_friction,
+    world_set_restitution = detent_world3_set_restitution,
+    world_set_sensor = detent_world3_set_sensor,
     world_set_velocity = detent_world3_set_velocity,
     world_set_angular_velocity = detent_world3_set_angular_velocity,
     world_apply_impulse = detent_world3_apply_impulse,

@@ -63,6 +63,31 @@ fn scenes_that_follow_worlds() {
 }
 
 #[test]
+fn contacts_and_setters_of_bodies() {
+    let context = Context::new().unwrap();
+    let mut world = d2::World::new(&context, &d2::default_settings()).unwrap();
+    let options = d2::default_options();
+    let fixed = d2::BodyOptions { motion: ffi::FIXED_BODY, ..options };
+    let floor = world.add(&d2::aabb([-5 * ONE, -ONE], [5 * ONE, 0]), &fixed).unwrap();
+    let block = world.add(&d2::aabb([-ONE, 0], [ONE, 2 * ONE]), &options).unwrap();
+    for _ in 0..30 {
+        world.step().unwrap();
+    }
+    let contacts = world.contacts(block).unwrap();
+    assert_eq!(world.contacts(Default::default()), Ok(contacts.clone()));
+    assert_eq!((contacts.len(), contacts[0].a, contacts[0].count), (1, floor, 2));
+    assert_eq!((contacts[0].normal.x, contacts[0].normal.y), (0, UNIT));
+    assert!((contacts[0].impulse - 4 * 10 * ONE / 240).abs() < 500);
+    assert_eq!(world.set_friction(block, ONE / 4), Ok(true));
+    assert_eq!(world.set_restitution(block, ONE / 2), Ok(true));
+    assert_eq!(world.set_sensor(block, true), Ok(true));
+    assert_eq!(world.set_filter(block, 2, 4), Ok(true));
+    assert_eq!(world.info(block).unwrap().unwrap().layers, 2);
+    world.step().unwrap();
+    assert_eq!(world.contacts(block).unwrap().len(), 0);
+}
+
+#[test]
 fn scenes() {
     let context = Context::new().unwrap();
     let mut scene = d2::Scene::new(&context).unwrap();

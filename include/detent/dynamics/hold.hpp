@@ -31,6 +31,14 @@ constexpr void let_go(Support<S, N>& support, const BodyRecord<S, N, Shape>& bod
   support.axes = axes_of<S, N>(body.state.orientation);
 }
 
+/// The place and axes at which a body is held, without the rest of a support.
+template <Scalar S, int N, class Shape>
+[[nodiscard]] constexpr Support<S, N> held_support(const BodyRecord<S, N, Shape>& body) noexcept {
+  Support<S, N> support;
+  body.is_held() ? hold_back(support, body) : let_go(support, body);
+  return support;
+}
+
 /// The sum of the magnitudes of a vector's components.
 template <Number T>
 [[nodiscard]] constexpr auto sum_of_magnitudes(const Vec<T, 2>& v) noexcept {

@@ -125,6 +125,26 @@ class Tick {
     group_.for_each_broken(f);
   }
 
+  /// Calls f for each contact of a pair that touches and pushes, as the next run would find it: with
+  /// the contact, the support of a, the manifold, and the position of b relative to a. Those of the
+  /// pair in `contacts` begin at `first`.
+  template <class F2>
+  static constexpr void visit_touching(const Bodies& bodies, const Contacts& contacts,
+                                       std::size_t first, const S& reach,
+                                       const typename F::Lever& margin, const F2& f) {
+    const auto pair = pair_of(contacts[first]);
+    const Body &a = bodies[pair.a], &b = bodies[pair.b];
+    const auto held_a = held_support(a), held_b = held_support(b);
+    PairSearch search;
+    touch_pair(bodies, {pair.a, held_a, held_b}, pair, slack_of(a) + slack_of(b), contacts, first,
+               reach, margin, search);
+    for (std::size_t i = 0; i < search.contacts.size(); ++i) {
+      const auto& contact = search.contacts[i];
+      if (!contact.touches || is_sensed(bodies, contact)) continue;
+      f(contact, held_a, search.manifolds[i].manifold, search.manifolds[i].offset);
+    }
+  }
+
   /// The identity of a contact in events: bodies, and the parts of compounds, but no triangles.
   template <class Contact>
   [[nodiscard]] static constexpr ContactKey touching(const Bodies& bodies,
@@ -143,6 +163,13 @@ class Tick {
     const bool are_two = compound_of<S, N>(bodies[key.pair.b].shape) != nullptr;
     return {key.member, are_two ? key.part : 0};
   }
+  /// The triangle of a contact with a mesh or height field; 0 for others.
+  [[nodiscard]] static constexpr std::uint32_t triangle_of(const Bodies& bodies,
+                                                           const ContactState& contact) noexcept {
+    const bool has_two = has_compounds && compound_of<S, N>(bodies[contact.a].shape) != nullptr &&
+                         compound_of<S, N>(bodies[contact.b].shape) != nullptr;
+    return has_two ? 0 : contact.part;
+  }
 
  private:
   template <class T, std::size_t Room>
@@ -154,16 +181,35 @@ class Tick {
     Vec<typename F::Lever, N> offset{};
   };
 
+  /// The supports of two bodies, by their indices.
+  struct PairSupports {
+    std::uint32_t index_of_a;
+    const Support<S, N>&a, &b;
+
+    [[nodiscard]] constexpr const Support<S, N>& operator[](std::uint32_t index) const noexcept {
+      return index == index_of_a ? a : b;
+    }
+  };
+
   static constexpr int colours = 64, pair_colours = 48;
   static constexpr bool has_groups = uses_long_lanes<Storage, S, N>;
   using ColourEnds = std::array<std::uint32_t, colours + 1>;
 
   /// The contacts of some pairs, in order, and their manifolds.
-  struct Search {
-    Contacts contacts;
-    List<Found, contacts_room> manifolds;
-    List<FacetContact<S>, (is_surface_body<Parts> || ...) ? contacts_room : 0> facets;
+  template <std::size_t Room>
+  struct SearchOf {
+    static constexpr std::size_t room = Room;
+    List<ContactState, Room> contacts;
+    List<Found, Room> manifolds;
+    List<FacetContact<S>, (is_surface_body<Parts> || ...) ? Room : 0> facets;
+
+    [[nodiscard]] constexpr bool is_full() const noexcept { return contacts.size() >= Room; }
   };
+  using Search = SearchOf<contacts_room>;
+  /// The contacts of one pair: of the same type if it allocates, otherwise small enough for a stack.
+  static constexpr bool is_growing = requires { Storage::is_growing; };
+  using PairSearch =
+      SearchOf<is_growing ? contacts_room : (std::min)(contacts_room, std::size_t{64})>;
 
   template <class Threads>
   constexpr void place(const Bodies& bodies, const Threads& threads) {
@@ -385,8 +431,7 @@ class Tick {
            static_cast<std::uint32_t>(i)});
     }
     if (swept_.size() == 0) return;
-    constexpr bool has_room = requires { Storage::is_growing; };
-    if constexpr (has_room) {
+    if constexpr (is_growing) {
       order_entries(swept_, unordered_entries_, lane_);
     } else {
       order_entries(swept_);
@@ -398,7 +443,7 @@ class Tick {
         pairs_.push_back(pair);
       }
     });
-    if constexpr (has_room) {
+    if constexpr (is_growing) {
       if (pairs_.size() > 32) {
         order_pairs(pairs_, unordered_pairs_, lane_, bodies.size());
         return;
@@ -412,10 +457,9 @@ class Tick {
   template <class Threads>
   constexpr void touch(const Bodies& bodies, const Contacts& before, const S& reach,
                        const typename F::Lever& margin, const Threads& threads) {
-    constexpr bool has_lists = requires { Storage::is_growing; };
     found_.contacts.clear();
     found_.manifolds.clear();
-    if constexpr (Threads::are_many && has_lists) {
+    if constexpr (Threads::are_many && is_growing) {
       searches_.resize((pairs_.size() + pairs_a_call - 1) / pairs_a_call);
       threads.each(0, searches_.size(), 1, [&](std::size_t k) {
         auto mine = std::move(searches_[k]);
@@ -450,54 +494,61 @@ class Tick {
               [&](const ContactState& contact) { return pair_of(contact) < pairs_[begin]; }) -
           before.data());
     }
-    for (std::size_t p = begin; p < end && out.contacts.size() < contacts_room; ++p) {
+    for (std::size_t p = begin; p < end && !out.is_full(); ++p) {
       const BodyPair pair = pairs_[p];
       while (old < before.size() && pair_of(before[old]) < pair) ++old;
-      auto reach = least_reach;
-      auto margin = least_margin;
-      if (are_held_) {
-        const auto slack = slacks_[pair.a] + slacks_[pair.b];
-        if (slack != 0) {
-          reach = wider(reach, slack);
-          margin = saturate_to<typename F::Lever>(margin + slack);
-        }
-      }
-      bodies[pair.a].shape.visit([&]<class A>(const A& first) {
-        bodies[pair.b].shape.visit([&]<class B>(const B& second) {
-          if constexpr (is_surface_body<A> && is_surface_body<B>) {
-            return;  // none of them can move
-          } else if constexpr (is_compound_body<A> || is_compound_body<B>) {
-            touch_parts(bodies, pair, first, second, before, old, reach, margin, out);
-          } else if constexpr (is_surface_body<A>) {
-            touch_terrain(bodies, {pair}, first,
-                          Placed{second, held()[pair.b], bodies[pair.b].reach}, true, before, old,
-                          reach, margin, out);
-          } else if constexpr (is_surface_body<B>) {
-            touch_terrain(bodies, {pair}, second,
-                          Placed{first, held()[pair.a], bodies[pair.a].reach}, false, before, old,
-                          reach, margin, out);
-          } else {
-            const auto& a = held()[pair.a];
-            const auto& b = held()[pair.b];
-            const auto offset = offset_between(a, b);
-            if constexpr (Round<A> && Round<B>) {
-              const auto &reach_a = bodies[pair.a].reach, &reach_b = bodies[pair.b].reach;
-              if (centers_are_apart(reach_a, reach_b, offset, margin)) return;
-            }
-            RelativePose<S, N> pose;
-            if constexpr (std::is_same_v<B, Sphere<S, N>>) {
-              pose.translation = relative_place(a, offset);  // a ball has no axes
-            } else {
-              if (is_surely_beyond(a, offset, first, second, margin)) return;
-              pose = relative_pose(a, b, offset);
-            }
-            const bool known = old < before.size() && pair_of(before[old]) == pair;
-            add_contact(bodies, {pair}, {manifold(first, second, pose, margin), offset},
-                        known ? &before[old] : nullptr, out);
-          }
-        });
-      });
+      auto slack = typename F::Lever() + typename F::Lever();
+      if (are_held_) slack = slacks_[pair.a] + slacks_[pair.b];
+      touch_pair(bodies, {pair.a, held()[pair.a], held()[pair.b]}, pair, slack, before, old,
+                 least_reach, least_margin, out);
     }
+  }
+
+  /// The contacts of a pair of bodies whose supports are in `held`. `before` has the contacts of the
+  /// last tick; those of this pair begin at `old`.
+  template <class Slack, class Out>
+  static constexpr void touch_pair(const Bodies& bodies, const PairSupports& held,
+                                   const BodyPair& pair, const Slack& slack, const Contacts& before,
+                                   std::size_t old, S reach, typename F::Lever margin, Out& out) {
+    if (slack != 0) {
+      reach = wider(reach, slack);
+      margin = saturate_to<typename F::Lever>(margin + slack);
+    }
+    bodies[pair.a].shape.visit([&]<class A>(const A& first) {
+      bodies[pair.b].shape.visit([&]<class B>(const B& second) {
+        if constexpr (is_surface_body<A> && is_surface_body<B>) {
+          return;  // none of them can move
+        } else if constexpr (is_compound_body<A> || is_compound_body<B>) {
+          touch_parts(bodies, pair, held, first, second, before, old, reach, margin, out);
+        } else if constexpr (is_surface_body<A>) {
+          touch_terrain(bodies, {pair}, held, first,
+                        Placed{second, held[pair.b], bodies[pair.b].reach}, true, before, old,
+                        reach, margin, out);
+        } else if constexpr (is_surface_body<B>) {
+          touch_terrain(bodies, {pair}, held, second,
+                        Placed{first, held[pair.a], bodies[pair.a].reach}, false, before, old,
+                        reach, margin, out);
+        } else {
+          const auto& a = held[pair.a];
+          const auto& b = held[pair.b];
+          const auto offset = offset_between(a, b);
+          if constexpr (Round<A> && Round<B>) {
+            const auto &reach_a = bodies[pair.a].reach, &reach_b = bodies[pair.b].reach;
+            if (centers_are_apart(reach_a, reach_b, offset, margin)) return;
+          }
+          RelativePose<S, N> pose;
+          if constexpr (std::is_same_v<B, Sphere<S, N>>) {
+            pose.translation = relative_place(a, offset);  // a ball has no axes
+          } else {
+            if (is_surely_beyond(a, offset, first, second, margin)) return;
+            pose = relative_pose(a, b, offset);
+          }
+          const bool known = old < before.size() && pair_of(before[old]) == pair;
+          add_contact(bodies, {pair}, {manifold(first, second, pose, margin), offset},
+                      known ? &before[old] : nullptr, out);
+        }
+      });
+    });
   }
 
   /// The margin plus the slack, rounded up.
@@ -527,14 +578,15 @@ class Tick {
 
   /// Calls f for each part of a compound in order, or once for a body with a single shape.
   template <class Shape, class Visit>
-  constexpr void for_each_placed(const Bodies& bodies, std::uint32_t body, const Shape& shape,
-                                 const Visit& f) const {
+  static constexpr void for_each_placed(const Bodies& bodies, std::uint32_t body,
+                                        const PairSupports& held, const Shape& shape,
+                                        const Visit& f) {
     if constexpr (is_compound_body<Shape>) {
       if (shape.asset == nullptr) return;
       const auto parts = shape.asset->parts();
       for (std::size_t k = 0; k < parts.size(); ++k) {
         const auto pose = pose_in(*shape.asset, parts[k]);
-        const auto at = part_at(Standing<S, N>{held()[body].place, held()[body].axes}, pose);
+        const auto at = part_at(Standing<S, N>{held[body].place, held[body].axes}, pose);
         Support<S, N> support;
         support.place = at.place;
         support.axes = at.axes;
@@ -543,15 +595,16 @@ class Tick {
         });
       }
     } else {
-      f(Placed{shape, held()[body], bodies[body].reach});
+      f(Placed{shape, held[body], bodies[body].reach});
     }
   }
 
   /// The contacts of two bodies, at least one of which is a compound.
-  template <class A, class B>
-  constexpr void touch_parts(const Bodies& bodies, const BodyPair& pair, const A& first,
-                             const B& second, const Contacts& before, std::size_t old,
-                             const S& reach, const typename F::Lever& margin, Search& out) const {
+  template <class A, class B, class Out>
+  static constexpr void touch_parts(const Bodies& bodies, const BodyPair& pair,
+                                    const PairSupports& held, const A& first, const B& second,
+                                    const Contacts& before, std::size_t old, const S& reach,
+                                    const typename F::Lever& margin, Out& out) {
     const auto known = [&](const ContactKey& key) {
       while (old < before.size() && key_of(before[old]) < key) ++old;
       return old < before.size() && key_of(before[old]) == key ? &before[old] : nullptr;
@@ -560,23 +613,23 @@ class Tick {
       return ContactKey{pair, static_cast<std::uint16_t>(part)};
     };
     if constexpr (is_surface_body<A>) {
-      for_each_placed(bodies, pair.b, second, [&](const auto& b) {
+      for_each_placed(bodies, pair.b, held, second, [&](const auto& b) {
         const auto key = numbered(b.part);
         known(key);
-        touch_terrain(bodies, key, first, b, true, before, old, reach, margin, out);
+        touch_terrain(bodies, key, held, first, b, true, before, old, reach, margin, out);
       });
     } else if constexpr (is_surface_body<B>) {
-      for_each_placed(bodies, pair.a, first, [&](const auto& a) {
+      for_each_placed(bodies, pair.a, held, first, [&](const auto& a) {
         const auto key = numbered(a.part);
         known(key);
-        touch_terrain(bodies, key, second, a, false, before, old, reach, margin, out);
+        touch_terrain(bodies, key, held, second, a, false, before, old, reach, margin, out);
       });
     } else {
-      const auto offset = offset_between(held()[pair.a], held()[pair.b]);
-      for_each_placed(bodies, pair.a, first, [&](const auto& a) {
+      const auto offset = offset_between(held[pair.a], held[pair.b]);
+      for_each_placed(bodies, pair.a, held, first, [&](const auto& a) {
         const auto box_a = bounds_of<S, N>(a.support.place, a.support.axes, a.reach, reach);
-        for_each_placed(bodies, pair.b, second, [&](const auto& b) {
-          if (out.contacts.size() == contacts_room) return;
+        for_each_placed(bodies, pair.b, held, second, [&](const auto& b) {
+          if (out.is_full()) return;
           const auto box_b = bounds_of<S, N>(b.support.place, b.support.axes, b.reach, reach);
           if (!meet(box_a, box_b)) return;
           const auto pose =
@@ -602,24 +655,25 @@ class Tick {
 
   /// The contacts of a surface, which is the first or the second of the pair, and a solid. `before`
   /// has the contacts of the last tick; those of these bodies are at `old` or later.
-  template <class Terrain, class Solid>
-  constexpr void touch_terrain(const Bodies& bodies, ContactKey key, const Terrain& terrain,
-                               const Placed<Solid>& solid, bool is_first, const Contacts& before,
-                               std::size_t old, const S& reach, const typename F::Lever& margin,
-                               Search& out) const {
-    const auto& ground = held()[is_first ? key.pair.a : key.pair.b];
+  template <class Terrain, class Solid, class Out>
+  static constexpr void touch_terrain(const Bodies& bodies, ContactKey key,
+                                      const PairSupports& held, const Terrain& terrain,
+                                      const Placed<Solid>& solid, bool is_first,
+                                      const Contacts& before, std::size_t old, const S& reach,
+                                      const typename F::Lever& margin, Out& out) {
+    const auto& ground = held[is_first ? key.pair.a : key.pair.b];
     const auto& support = solid.support;
     const auto pose = relative_pose(ground, support, offset_between(ground, support));
-    const auto offset = offset_between(held()[key.pair.a], held()[key.pair.b]);
-    const auto back = relative_pose(held()[key.pair.a], held()[key.pair.b], offset);
-    FacetContacts<decltype(out.facets), S> contacts(out.facets, contacts_room);
+    const auto offset = offset_between(held[key.pair.a], held[key.pair.b]);
+    const auto back = relative_pose(held[key.pair.a], held[key.pair.b], offset);
+    FacetContacts<decltype(out.facets), S> contacts(out.facets, Out::room);
     contacts.find(terrain, solid.shape, pose, solid.reach, reach, margin);
     std::size_t end = old;
     while (end < before.size() && pair_of(before[end]) == key.pair &&
            before[end].member == key.member) {
       ++end;
     }
-    for (std::size_t i = 0; i < out.facets.size() && out.contacts.size() < contacts_room; ++i) {
+    for (std::size_t i = 0; i < out.facets.size() && !out.is_full(); ++i) {
       const auto& found = out.facets[i].manifold;
       if (found.count == 0) continue;
       const auto last = contacts.last_of(i, before, old, end);
@@ -629,8 +683,9 @@ class Tick {
     }
   }
 
+  template <class Out>
   static constexpr void add_contact(const Bodies& bodies, const ContactKey& key, const Found& found,
-                                    const ContactState* before, Search& out) {
+                                    const ContactState* before, Out& out) {
     if (found.manifold.count == 0) return;
     auto contact = continued(key, found.manifold, before);
     if (is_sensed(bodies, contact)) contact = sensed(key, found.manifold);

@@ -13,6 +13,7 @@
 #include "detent/dynamics/joint/table.hpp"
 #include "detent/dynamics/kick.hpp"
 #include "detent/dynamics/tick.hpp"
+#include "detent/dynamics/world_contact.hpp"
 #include "detent/math/transform.hpp"
 
 namespace detent {
@@ -412,6 +413,33 @@ class BasicWorld {
     rouse(*body);
   }
 
+  /// Sets the layers of a body and those it collides with, and wakes it and the bodies it touched.
+  /// Contacts begin and end in the next step. False if no body has this id.
+  ///
+  /// These four properties are part of snapshots; snapshots taken before a fixed body was changed
+  /// cannot be restored afterwards.
+  constexpr bool set_filter(const BodyId& id, std::uint32_t layers,
+                            std::uint32_t collides_with) noexcept {
+    return set(id, [&](Body& body) {
+      body.layers = layers;
+      body.collides_with = collides_with;
+    });
+  }
+  /// Sets the friction of a body from the next step on; otherwise like `set_filter`. Compounds use
+  /// that of their parts.
+  constexpr bool set_friction(const BodyId& id, const S& friction) noexcept {
+    return set(id, [&](Body& body) { body.friction = friction; });
+  }
+  /// Sets the restitution of a body; otherwise like `set_friction`.
+  constexpr bool set_restitution(const BodyId& id, const S& restitution) noexcept {
+    return set(id, [&](Body& body) { body.restitution = restitution; });
+  }
+  /// Makes a body a sensor or solid; otherwise like `set_filter`. Parts of compounds that are
+  /// sensors stay sensors.
+  constexpr bool set_sensor(const BodyId& id, bool is_sensor) noexcept {
+    return set(id, [&](Body& body) { body.is_sensor = is_sensor; });
+  }
+
   /// Changes velocity and spin at once, by an impulse at the point `at` of the world, and wakes the
   /// body. Ignored for bodies that are not dynamic or have no mass.
   ///
@@ -474,6 +502,21 @@ class BasicWorld {
       const auto key = Tick::touching(bodies_, contacts_[i]);
       if (touches(contacts_, i, key)) f(touch_of(key, true));
     }
+  }
+  /// Calls f(contact) with a `WorldContact` for each contact that touches, in the order of events and
+  /// triangles; none of sensors. Its normal and points are computed from the current poses, as the
+  /// next step would find them, so bodies that were put apart since the step have none.
+  ///
+  /// result: impulses of the last substep of the last step; 0 in contacts of bodies put elsewhere
+  /// exact:  each number rounded once and clamped          (docs/dynamics.md, tests/dynamics/world_contact.test.cpp)
+  template <class F>
+  constexpr void for_each_contact(const F& f) const {
+    visit_contacts(nullptr, f);
+  }
+  /// The same for the contacts of one body; none if no body has this id.
+  template <class F>
+  constexpr void for_each_contact(const BodyId& id, const F& f) const {
+    if (find(id) != nullptr) visit_contacts(&id, f);
   }
   /// Pairs that began or stopped touching in the last step.
   [[nodiscard]] constexpr std::size_t event_count() const noexcept { return events_.size(); }
@@ -554,6 +597,46 @@ class BasicWorld {
     }
     if constexpr (has_joints) {
       joints_.for_each_of(index, [&](const detail::BodyPair& pair) { rouse(pair); });
+    }
+  }
+  /// Changes a property of a body by f(body), and wakes it and the bodies that it touched.
+  template <class F>
+  constexpr bool set(const BodyId& id, const F& f) noexcept {
+    Body* body = find(id);
+    if (body == nullptr) return false;
+    f(*body);
+    rouse(*body);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const auto pair = detail::pair_of(contacts_[i]);
+      if (pair.a == id.index || pair.b == id.index) rouse(pair);
+    }
+    return true;
+  }
+  /// Calls f with each contact that touches, of one body or of all.
+  template <class F>
+  constexpr void visit_contacts(const BodyId* only, const F& f) const {
+    for (std::size_t i = 0, first = 0; i < contacts_.size(); first = i) {
+      const auto pair = detail::pair_of(contacts_[i]);
+      bool touches = false;
+      for (; i < contacts_.size() && detail::pair_of(contacts_[i]) == pair; ++i) {
+        touches = touches || contacts_[i].touches;
+      }
+      const bool is_wanted = only == nullptr || pair.a == only->index || pair.b == only->index;
+      if (!touches || !is_wanted) continue;
+      Tick::visit_touching(
+          bodies_, contacts_, first, settings_.margin, pace_.margin,
+          [&](const auto& contact, const auto& at_a, const auto& manifold, const auto& offset) {
+            const auto touch = touch_of(Tick::touching(bodies_, contact), true);
+            WorldContact<S, N> view;
+            view.a = touch.a;
+            view.b = touch.b;
+            view.part_a = touch.part_a;
+            view.part_b = touch.part_b;
+            view.triangle = Tick::triangle_of(bodies_, contact);
+            detail::describe<S, N>(view, bodies_[pair.a], bodies_[pair.b], contact, at_a, manifold,
+                                   offset, pace_.rate);
+            f(view);
+          });
     }
   }
   template <class Joint>

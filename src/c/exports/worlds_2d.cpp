@@ -60,6 +60,18 @@ detent_status detent_world2_set_position(detent_context* context, detent_handle 
 detent_status detent_world2_set_rotation(detent_context* context, detent_handle world, detent_id id, const detent_rotation2* rotation) {
   return detent::c::Worlds<2>::set_rotation(context, world, id, rotation);
 }
+detent_status detent_world2_set_filter(detent_context* context, detent_handle world, detent_id id, uint32_t layers, uint32_t collides_with) {
+  return detent::c::Worlds<2>::set_filter(context, world, id, layers, collides_with);
+}
+detent_status detent_world2_set_friction(detent_context* context, detent_handle world, detent_id id, int32_t friction) {
+  return detent::c::Worlds<2>::set_friction(context, world, id, friction);
+}
+detent_status detent_world2_set_restitution(detent_context* context, detent_handle world, detent_id id, int32_t restitution) {
+  return detent::c::Worlds<2>::set_restitution(context, world, id, restitution);
+}
+detent_status detent_world2_set_sensor(detent_context* context, detent_handle world, detent_id id, uint32_t is_sensor) {
+  return detent::c::Worlds<2>::set_sensor(context, world, id, is_sensor);
+}
 detent_status detent_world2_set_velocity(detent_context* context, detent_handle world, detent_id id, const detent_vec2* velocity) {
   return detent::c::Worlds<2>::set_velocity(context, world, id, velocity);
 }
@@ -113,6 +125,9 @@ detent_status detent_world2_body_ids(const detent_context* context, detent_handl
 }
 detent_status detent_world2_touching(const detent_context* context, detent_handle world, detent_id body, detent_touch* touches, uint32_t room, uint32_t* count) {
   return detent::c::Worlds<2>::touching(context, world, body, touches, room, count);
+}
+detent_status detent_world2_contacts(const detent_context* context, detent_handle world, detent_id body, detent_world2_contact* contacts, uint32_t room, uint32_t* count) {
+  return detent::c::Worlds<2>::contacts(context, world, body, contacts, room, count);
 }
 detent_status detent_world2_events(const detent_context* context, detent_handle world, detent_touch* events, uint32_t room, uint32_t* count) {
   return detent::c::Worlds<2>::events(context, world, events, room, count);
