@@ -25,11 +25,12 @@ constexpr void for_each_number(Joint& joint, const F& f) {
     f("least", joint.least);
     f("most", joint.most);
   }
+  if constexpr (requires { joint.cone_angle; }) f("cone_angle", joint.cone_angle);
   if constexpr (requires { joint.lower; }) {
     f("lower", joint.lower);
     f("upper", joint.upper);
-    f("motor_speed", joint.motor_speed);
   }
+  if constexpr (requires { joint.motor_speed; }) f("motor_speed", joint.motor_speed);
   if constexpr (requires { joint.motor_torque; }) f("motor_torque", joint.motor_torque);
   if constexpr (requires { joint.motor_force; }) f("motor_force", joint.motor_force);
   if constexpr (requires { joint.length; }) f("length", joint.length);
