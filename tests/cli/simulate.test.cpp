@@ -280,8 +280,11 @@ TEST_CASE("detent simulate: errors in a world are named by line, and nothing is 
       "{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1, 2], \"radius\": 1,\n"
       "\"layers\": [32]}]}",
       "3:12: a layer of layers is not a whole number from 0 to 31;");
-  refused("{\"bodies\": [" + ball + "], \"joints\": [\n{\"type\": \"glue\"}]}",
-          "2:10: unknown joint \"glue\"; choose from distance, ball, hinge, weld, slider, wheel");
+  refused(
+      "{\"bodies\": [" + ball + "], \"joints\": [\n{\"type\": \"glue\"}]}",
+      "2:10: unknown joint \"glue\"; choose from distance, ball, cone, hinge, weld, slider, wheel");
+  refused("{\"dimension\": 2, \"bodies\": [], \"joints\": [\n{\"type\": \"cone\"}]}",
+          "2:10: cones are for three dimensions; use a hinge with limits");
   refused("{\"bodies\": [" + ball +
               "], \"joints\": [\n{\"type\": \"ball\", \"a\": \"b\", "
               "\"b\": \"c\", \"at\": [0, 0, 0]}]}",

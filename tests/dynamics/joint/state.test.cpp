@@ -115,7 +115,8 @@ using Limbs = World<S, 3, Sphere, Obb, BallJoint, ConeJoint>;
 constexpr std::uint32_t limb_count = 7;
 
 /// Link i of a chain that hangs from link 0.
-void put_limb(Limbs& world, std::uint32_t i) {
+template <class World>
+void put_limb(World& world, std::uint32_t i) {
   BodyOptions<S, 3> options;
   if (i == 0) options.motion = BodyMotion::fixed;
   if (i == 4) options.angular_velocity = {S(20), S(-3), S(5)};
@@ -380,6 +381,14 @@ TEST_CASE("joint: other kinds, and worlds that are too small, are refused") {
   const auto bytes = snapshot(world);
   World<S, 2, Sphere> no_joints;
   CHECK(restore(no_joints, bytes) == Restored::other_scene);
+  World<S, 3, Sphere, Obb, BallJoint> no_cones;
+  put_limb(no_cones, 0);
+  CHECK(restore(no_cones, snapshot(limbs())) == Restored::other_scene);
+  Limbs cones;
+  put_limb(cones, 0);
+  const auto without_joints = snapshot(no_cones);
+  CHECK(snapshot(cones) == without_joints);  // a type that gets this kind keeps its snapshots
+  CHECK(restore(cones, without_joints) == Restored::yes);
   World<S, 2, Sphere, HingeJoint> other_kind;
   CHECK(restore(other_kind, bytes) == Restored::other_scene);
   BoundedWorld<Bounded<2>, S, 2, Sphere, BallJoint> small;

@@ -106,10 +106,13 @@ template <class Storage, Scalar S, int N, class... Joints, class Bodies>
       const std::size_t i = word & 0x1fffffu;
       if (in.has_failed() || i < lowest || (word >> 23 & 1) != 0) return Restored::corrupted;
       if (i >= JointGroup<Storage, S, N, Joints...>::room) return Restored::no_room;
+      const auto kind = word >> 24;
+      if (kind > last_listed_joint && ((joint_tag<Joints> != kind) && ...)) {
+        return Restored::other_scene;
+      }
       typename JointGroup<Storage, S, N, Joints...>::Record record;
       const bool known =
-          ((joint_tag<Joints> == word >> 24 && read_joint<Joints>(in, record, word, bodies)) ||
-           ...);
+          ((joint_tag<Joints> == kind && read_joint<Joints>(in, record, word, bodies)) || ...);
       if (!known || record.generation == 0 || record.generation >= next) {
         return Restored::corrupted;
       }

@@ -174,6 +174,12 @@ inline constexpr std::uint8_t joint_tag<ConeJoint<S, N>> = 7;
 template <class T>
 concept IsJoint = (joint_tag<T> != 0);
 
+/// Whether the header of a snapshot lists this kind, if the world names it. Later kinds are not
+/// listed, so that the snapshots of a world stay valid when its type gets such a kind.
+inline constexpr std::uint32_t last_listed_joint = 6;
+template <class T>
+inline constexpr bool is_listed_joint = joint_tag<T> != 0 && joint_tag<T> <= last_listed_joint;
+
 template <class... Ts>
 struct Types {
   template <template <class...> class List>
