@@ -447,6 +447,26 @@ TEST_CASE("detent simulate: rolling resistance stops a ball, and a part that is 
   CHECK(way(compound, of_part + resistance + "}]") == stopped);
 }
 
+TEST_CASE("detent simulate: an arm drops until its cone stops it") {
+  const Workshop shop;
+  const auto hanging = [&](const std::string& cone) {
+    shop.write("arm.json", R"({"bodies": [
+      {"type": "sphere", "id": "a", "center": [0, 3, 0], "radius": 0.3, "motion": "fixed"},
+      {"type": "capsule", "id": "b", "a": [0.4, 3, 0], "b": [1.4, 3, 0], "radius": 0.1}],
+      "joints": [{"type": "cone", "a": "a", "b": "b", "at": [0.4, 3, 0], "limits": [-0.5, 0.5],
+        "rotation": {"axis": [0, 1, 0], "angle": 90}, "cone_angle": )" +
+                               cone + "}]}");
+    const auto lines = lines_of(shop.run("simulate arm.json --ticks 60 --every 60 --bodies").out);
+    REQUIRE(lines.size() == 4);
+    return position_in(lines[2]);
+  };
+  for (const double cone : {0.4, 0.8}) {
+    const auto at = hanging(std::to_string(cone));
+    CHECK(std::fabs(at[0] - 0.4 - 0.5 * std::cos(cone)) < 0.001);
+    CHECK(std::fabs(at[1] - 3 + 0.5 * std::sin(cone)) < 0.001);
+  }
+}
+
 TEST_CASE("detent simulate: layers select collisions, and fast bodies pass no plate") {
   const Workshop shop;
   shop.write("layers.json", R"({"dimension": 2, "bodies": [
