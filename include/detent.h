@@ -81,7 +81,8 @@ enum {
   DETENT_HINGE_JOINT = 3,    /**< two points, in 3D also axis 2 of both frames; limits, motor */
   DETENT_WELD_JOINT = 4,     /**< two points and two frames */
   DETENT_SLIDER_JOINT = 5,   /**< two frames, and b's point on axis 0; limits, motor, spring */
-  DETENT_WHEEL_JOINT = 6     /**< b's point on axis 0; limits, spring, motor that spins it */
+  DETENT_WHEEL_JOINT = 6,    /**< b's point on axis 0; limits, spring, motor that spins it */
+  DETENT_CONE_JOINT = 7      /**< 3D: two points; a cone for axis 2 of b, limits of the twist */
 };
 
 /** The world axes that a body cannot move along or rotate about. In 2D any of the last three
@@ -537,18 +538,19 @@ typedef struct detent_joint2 {
   detent_id b;
   detent_vec2 anchor_a;       /**< less than 512 units from the center */
   detent_vec2 anchor_b;
-  detent_rotation2 frame_a;   /**< hinge, weld, slider, wheel */
+  detent_rotation2 frame_a;   /**< cone, hinge, weld, slider, wheel */
   detent_rotation2 frame_b;
   uint32_t collide;             /**< 1: a and b can collide with each other */
   int32_t break_force;          /**< a greater force breaks the joint; 0: unbreakable */
-  uint32_t has_limits;          /**< hinge, slider, wheel: 1 or 0; distance: always limited */
-  int32_t lower;                /**< an angle for a hinge, otherwise a length */
+  uint32_t has_limits;          /**< cone, hinge, slider, wheel: 1 or 0; distance: always limited */
+  int32_t lower;                /**< an angle for a hinge or a cone, otherwise a length */
   int32_t upper;
   int32_t motor_speed;          /**< hinge, slider, wheel */
   int32_t motor_force;          /**< greatest force, or torque of hinge and wheel; not for balls */
   int32_t length;               /**< rest length of the spring: distance, slider, wheel */
   int32_t frequency;            /**< of the spring, in Hz; 0: none. Distance, ball, slider, wheel */
   int32_t damping_ratio;        /**< 65536 is critical damping */
+  int32_t cone_angle;           /**< cone: greatest angle between both axes 2; 0: any */
 } detent_joint2;
 
 /** The state of a body, rounded to nearest. */
@@ -814,18 +816,19 @@ typedef struct detent_joint3 {
   detent_id b;
   detent_vec3 anchor_a;       /**< less than 512 units from the center */
   detent_vec3 anchor_b;
-  detent_rotation3 frame_a;   /**< hinge, weld, slider, wheel */
+  detent_rotation3 frame_a;   /**< cone, hinge, weld, slider, wheel */
   detent_rotation3 frame_b;
   uint32_t collide;             /**< 1: a and b can collide with each other */
   int32_t break_force;          /**< a greater force breaks the joint; 0: unbreakable */
-  uint32_t has_limits;          /**< hinge, slider, wheel: 1 or 0; distance: always limited */
-  int32_t lower;                /**< an angle for a hinge, otherwise a length */
+  uint32_t has_limits;          /**< cone, hinge, slider, wheel: 1 or 0; distance: always limited */
+  int32_t lower;                /**< an angle for a hinge or a cone, otherwise a length */
   int32_t upper;
   int32_t motor_speed;          /**< hinge, slider, wheel */
   int32_t motor_force;          /**< greatest force, or torque of hinge and wheel; not for balls */
   int32_t length;               /**< rest length of the spring: distance, slider, wheel */
   int32_t frequency;            /**< of the spring, in Hz; 0: none. Distance, ball, slider, wheel */
   int32_t damping_ratio;        /**< 65536 is critical damping */
+  int32_t cone_angle;           /**< cone: greatest angle between both axes 2; 0: any */
 } detent_joint3;
 
 /** The state of a body, rounded to nearest. */
@@ -2457,7 +2460,7 @@ typedef char detent_world2_contact_has_its_size[sizeof(detent_world2_contact) ==
 typedef char detent_world2_settings_has_its_size[sizeof(detent_world2_settings) == 36 ? 1 : -1];
 typedef char detent_body2_options_has_its_size[sizeof(detent_body2_options) == 80 ? 1 : -1];
 typedef char detent_part2_has_its_size[sizeof(detent_part2) == 60 ? 1 : -1];
-typedef char detent_joint2_has_its_size[sizeof(detent_joint2) == 108 ? 1 : -1];
+typedef char detent_joint2_has_its_size[sizeof(detent_joint2) == 112 ? 1 : -1];
 typedef char detent_body2_has_its_size[sizeof(detent_body2) == 40 ? 1 : -1];
 typedef char detent_vec3_has_its_size[sizeof(detent_vec3) == 12 ? 1 : -1];
 typedef char detent_direction3_has_its_size[sizeof(detent_direction3) == 12 ? 1 : -1];
@@ -2486,7 +2489,7 @@ typedef char detent_world3_contact_has_its_size[sizeof(detent_world3_contact) ==
 typedef char detent_world3_settings_has_its_size[sizeof(detent_world3_settings) == 40 ? 1 : -1];
 typedef char detent_body3_options_has_its_size[sizeof(detent_body3_options) == 96 ? 1 : -1];
 typedef char detent_part3_has_its_size[sizeof(detent_part3) == 88 ? 1 : -1];
-typedef char detent_joint3_has_its_size[sizeof(detent_joint3) == 156 ? 1 : -1];
+typedef char detent_joint3_has_its_size[sizeof(detent_joint3) == 160 ? 1 : -1];
 typedef char detent_body3_has_its_size[sizeof(detent_body3) == 76 ? 1 : -1];
 typedef char detent_camera3_has_its_size[sizeof(detent_camera3) == 80 ? 1 : -1];
 typedef char detent_frustum3_has_its_size[sizeof(detent_frustum3) == 96 ? 1 : -1];

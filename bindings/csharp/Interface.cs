@@ -434,6 +434,7 @@ public struct Joint2 {
   public int length;
   public int frequency;
   public int damping_ratio;
+  public int cone_angle;
 }
 
 /// <summary>The state of a body, rounded to nearest.</summary>
@@ -752,6 +753,7 @@ public struct Joint3 {
   public int length;
   public int frequency;
   public int damping_ratio;
+  public int cone_angle;
 }
 
 /// <summary>The state of a body, rounded to nearest.</summary>
@@ -845,6 +847,7 @@ public static unsafe class C {
   public const uint WELD_JOINT = 4;
   public const uint SLIDER_JOINT = 5;
   public const uint WHEEL_JOINT = 6;
+  public const uint CONE_JOINT = 7;
   public const uint LOCK_X = 1;
   public const uint LOCK_Y = 2;
   public const uint LOCK_Z = 4;
@@ -1767,7 +1770,7 @@ public static unsafe class C {
     if (sizeof(World2Settings) != 36) throw new TypeLoadException("detent_world2_settings");
     if (sizeof(Body2Options) != 80) throw new TypeLoadException("detent_body2_options");
     if (sizeof(Part2) != 60) throw new TypeLoadException("detent_part2");
-    if (sizeof(Joint2) != 108) throw new TypeLoadException("detent_joint2");
+    if (sizeof(Joint2) != 112) throw new TypeLoadException("detent_joint2");
     if (sizeof(Body2) != 40) throw new TypeLoadException("detent_body2");
     if (sizeof(Vec3) != 12) throw new TypeLoadException("detent_vec3");
     if (sizeof(Direction3) != 12) throw new TypeLoadException("detent_direction3");
@@ -1796,7 +1799,7 @@ public static unsafe class C {
     if (sizeof(World3Settings) != 40) throw new TypeLoadException("detent_world3_settings");
     if (sizeof(Body3Options) != 96) throw new TypeLoadException("detent_body3_options");
     if (sizeof(Part3) != 88) throw new TypeLoadException("detent_part3");
-    if (sizeof(Joint3) != 156) throw new TypeLoadException("detent_joint3");
+    if (sizeof(Joint3) != 160) throw new TypeLoadException("detent_joint3");
     if (sizeof(Body3) != 76) throw new TypeLoadException("detent_body3");
     if (sizeof(Camera3) != 80) throw new TypeLoadException("detent_camera3");
     if (sizeof(Frustum3) != 96) throw new TypeLoadException("detent_frustum3");

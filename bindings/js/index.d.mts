@@ -12,7 +12,7 @@ export declare const FIXED: 2;
 
 /** The kinds of joints. */
 export declare const joints: {
-  distance: 1; ball: 2; hinge: 3; weld: 4; slider: 5; wheel: 6;
+  distance: 1; ball: 2; hinge: 3; weld: 4; slider: 5; wheel: 6; cone: 7;
 };
 
 /** The nearest length to a number. Throws RangeError out of range. */

@@ -19,6 +19,7 @@ export const FIXED = constants.FIXED_BODY;
 export const joints = {
   distance: constants.DISTANCE_JOINT, ball: constants.BALL_JOINT, hinge: constants.HINGE_JOINT,
   weld: constants.WELD_JOINT, slider: constants.SLIDER_JOINT, wheel: constants.WHEEL_JOINT,
+  cone: constants.CONE_JOINT,
 };
 
 /** The nearest length to a number; halves are rounded up. Throws RangeError out of range. */

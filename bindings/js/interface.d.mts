@@ -45,6 +45,7 @@ export declare const HINGE_JOINT: 3;
 export declare const WELD_JOINT: 4;
 export declare const SLIDER_JOINT: 5;
 export declare const WHEEL_JOINT: 6;
+export declare const CONE_JOINT: 7;
 export declare const LOCK_X: 1;
 export declare const LOCK_Y: 2;
 export declare const LOCK_Z: 4;
@@ -447,6 +448,7 @@ export interface Joint2 {
   length: number;
   frequency: number;
   damping_ratio: number;
+  cone_angle: number;
 }
 
 /** The state of a body, rounded to nearest. */
@@ -704,6 +706,7 @@ export interface Joint3 {
   length: number;
   frequency: number;
   damping_ratio: number;
+  cone_angle: number;
 }
 
 /** The state of a body, rounded to nearest. */

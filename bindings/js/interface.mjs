@@ -45,6 +45,7 @@ export const HINGE_JOINT = 3;
 export const WELD_JOINT = 4;
 export const SLIDER_JOINT = 5;
 export const WHEEL_JOINT = 6;
+export const CONE_JOINT = 7;
 export const LOCK_X = 1;
 export const LOCK_Y = 2;
 export const LOCK_Z = 4;
@@ -208,8 +209,8 @@ export const layouts = {
   detent_part2: { size: 60, isVector: false,
     fields: [['shape', 'detent_shape2', 0, 0], ['density', 'int32_t', 40, 0], ['friction', 'int32_t', 44, 0], ['restitution', 'int32_t', 48, 0], ['rolling_resistance', 'int32_t', 52, 0], ['is_sensor', 'uint32_t', 56, 0]],
     union: [] },
-  detent_joint2: { size: 108, isVector: false,
-    fields: [['kind', 'uint32_t', 0, 0], ['a', 'detent_id', 4, 0], ['b', 'detent_id', 12, 0], ['anchor_a', 'detent_vec2', 20, 0], ['anchor_b', 'detent_vec2', 28, 0], ['frame_a', 'detent_rotation2', 36, 0], ['frame_b', 'detent_rotation2', 52, 0], ['collide', 'uint32_t', 68, 0], ['break_force', 'int32_t', 72, 0], ['has_limits', 'uint32_t', 76, 0], ['lower', 'int32_t', 80, 0], ['upper', 'int32_t', 84, 0], ['motor_speed', 'int32_t', 88, 0], ['motor_force', 'int32_t', 92, 0], ['length', 'int32_t', 96, 0], ['frequency', 'int32_t', 100, 0], ['damping_ratio', 'int32_t', 104, 0]],
+  detent_joint2: { size: 112, isVector: false,
+    fields: [['kind', 'uint32_t', 0, 0], ['a', 'detent_id', 4, 0], ['b', 'detent_id', 12, 0], ['anchor_a', 'detent_vec2', 20, 0], ['anchor_b', 'detent_vec2', 28, 0], ['frame_a', 'detent_rotation2', 36, 0], ['frame_b', 'detent_rotation2', 52, 0], ['collide', 'uint32_t', 68, 0], ['break_force', 'int32_t', 72, 0], ['has_limits', 'uint32_t', 76, 0], ['lower', 'int32_t', 80, 0], ['upper', 'int32_t', 84, 0], ['motor_speed', 'int32_t', 88, 0], ['motor_force', 'int32_t', 92, 0], ['length', 'int32_t', 96, 0], ['frequency', 'int32_t', 100, 0], ['damping_ratio', 'int32_t', 104, 0], ['cone_angle', 'int32_t', 108, 0]],
     union: [] },
   detent_body2: { size: 40, isVector: false,
     fields: [['position', 'detent_vec2', 0, 0], ['rotation', 'detent_rotation2', 8, 0], ['velocity', 'detent_vec2', 24, 0], ['angular_velocity', 'int32_t', 32, 1], ['is_asleep', 'uint32_t', 36, 0]],
@@ -295,8 +296,8 @@ export const layouts = {
   detent_part3: { size: 88, isVector: false,
     fields: [['shape', 'detent_shape3', 0, 0], ['density', 'int32_t', 68, 0], ['friction', 'int32_t', 72, 0], ['restitution', 'int32_t', 76, 0], ['rolling_resistance', 'int32_t', 80, 0], ['is_sensor', 'uint32_t', 84, 0]],
     union: [] },
-  detent_joint3: { size: 156, isVector: false,
-    fields: [['kind', 'uint32_t', 0, 0], ['a', 'detent_id', 4, 0], ['b', 'detent_id', 12, 0], ['anchor_a', 'detent_vec3', 20, 0], ['anchor_b', 'detent_vec3', 32, 0], ['frame_a', 'detent_rotation3', 44, 0], ['frame_b', 'detent_rotation3', 80, 0], ['collide', 'uint32_t', 116, 0], ['break_force', 'int32_t', 120, 0], ['has_limits', 'uint32_t', 124, 0], ['lower', 'int32_t', 128, 0], ['upper', 'int32_t', 132, 0], ['motor_speed', 'int32_t', 136, 0], ['motor_force', 'int32_t', 140, 0], ['length', 'int32_t', 144, 0], ['frequency', 'int32_t', 148, 0], ['damping_ratio', 'int32_t', 152, 0]],
+  detent_joint3: { size: 160, isVector: false,
+    fields: [['kind', 'uint32_t', 0, 0], ['a', 'detent_id', 4, 0], ['b', 'detent_id', 12, 0], ['anchor_a', 'detent_vec3', 20, 0], ['anchor_b', 'detent_vec3', 32, 0], ['frame_a', 'detent_rotation3', 44, 0], ['frame_b', 'detent_rotation3', 80, 0], ['collide', 'uint32_t', 116, 0], ['break_force', 'int32_t', 120, 0], ['has_limits', 'uint32_t', 124, 0], ['lower', 'int32_t', 128, 0], ['upper', 'int32_t', 132, 0], ['motor_speed', 'int32_t', 136, 0], ['motor_force', 'int32_t', 140, 0], ['length', 'int32_t', 144, 0], ['frequency', 'int32_t', 148, 0], ['damping_ratio', 'int32_t', 152, 0], ['cone_angle', 'int32_t', 156, 0]],
     union: [] },
   detent_body3: { size: 76, isVector: false,
     fields: [['position', 'detent_vec3', 0, 0], ['rotation', 'detent_rotation3', 12, 0], ['velocity', 'detent_vec3', 48, 0], ['angular_velocity', 'int32_t', 60, 3], ['is_asleep', 'uint32_t', 72, 0]],

@@ -25,7 +25,7 @@ template <>
 struct WorldOf<3> {
   using type =
       World<S, 3, Sphere, Aabb, Obb, Capsule, BodyHull, BodyCompound, BodyMesh, BodyHeightField,
-            DistanceJoint, BallJoint, HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
+            DistanceJoint, BallJoint, HingeJoint, WeldJoint, SliderJoint, WheelJoint, ConeJoint>;
 };
 
 /// The restored world of a snapshot, with the assets of a context.
@@ -337,7 +337,7 @@ struct Worlds {
                              typename T::Joint* joint) {
     return read(context, world, [&](const World& object) -> detent_status {
       if (joint == nullptr) return DETENT_BAD_ARGUMENT;
-      for (std::uint32_t which = DETENT_DISTANCE_JOINT; which <= DETENT_WHEEL_JOINT; ++which) {
+      for (std::uint32_t which = DETENT_DISTANCE_JOINT; which <= last_joint; ++which) {
         const auto status = with_kind(which, [&]<class Joint>(const Joint&) {
           const Joint* const found = object.template find_joint<Joint>(joint_id(id));
           if (found != nullptr) *joint = joint_of(*found);
@@ -562,6 +562,7 @@ struct Worlds {
   }
 
   static JointId joint_id(const detent_id& id) noexcept { return {id.index, id.generation}; }
+  static constexpr std::uint32_t last_joint = N == 2 ? DETENT_WHEEL_JOINT : DETENT_CONE_JOINT;
   /// f(joint) with a default one of this kind.
   template <class F>
   static detent_status with_kind(std::uint32_t which, const F& f) {
@@ -578,6 +579,9 @@ struct Worlds {
         return f(SliderJoint<S, N>());
       case DETENT_WHEEL_JOINT:
         return f(WheelJoint<S, N>());
+      case DETENT_CONE_JOINT:
+        if constexpr (N == 3) return f(ConeJoint<S, N>());
+        [[fallthrough]];
       default:
         return DETENT_BAD_ARGUMENT;
     }
@@ -593,8 +597,9 @@ struct Worlds {
     if constexpr (requires { joint.lower; }) {
       f(joint.lower, given.lower);
       f(joint.upper, given.upper);
-      f(joint.motor_speed, given.motor_speed);
     }
+    if constexpr (requires { joint.cone_angle; }) f(joint.cone_angle, given.cone_angle);
+    if constexpr (requires { joint.motor_speed; }) f(joint.motor_speed, given.motor_speed);
     if constexpr (requires { joint.motor_torque; }) f(joint.motor_torque, given.motor_force);
     if constexpr (requires { joint.motor_force; }) f(joint.motor_force, given.motor_force);
     if constexpr (requires { joint.max_force; }) f(joint.max_force, given.motor_force);
@@ -608,7 +613,8 @@ struct Worlds {
   template <class F>
   static detent_status with_joint(const typename T::Joint& given, const F& f) {
     if (given.collide > 1 || given.has_limits > 1 || given.break_force < 0 ||
-        given.motor_force < 0 || given.frequency < 0 || given.damping_ratio < 0) {
+        given.motor_force < 0 || given.frequency < 0 || given.damping_ratio < 0 ||
+        given.cone_angle < 0) {
       return DETENT_BAD_ARGUMENT;
     }
     return with_kind(given.kind, [&](auto joint) -> detent_status {

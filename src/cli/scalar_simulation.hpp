@@ -24,7 +24,7 @@ template <Scalar S, int N>
 struct JoinedWorld {
   using Type = detent::World<S, 3, Sphere, Capsule, Aabb, Obb, BodyHull, BodyCompound, BodyMesh,
                              BodyHeightField, DistanceJoint, BallJoint, HingeJoint, WeldJoint,
-                             SliderJoint, WheelJoint>;
+                             SliderJoint, WheelJoint, ConeJoint>;
 };
 template <Scalar S>
 struct JoinedWorld<S, 2> {
@@ -477,6 +477,9 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
         return add<DistanceJoint<S, N>>(model);
       case JointKind::ball:
         return add<BallJoint<S, N>>(model);
+      case JointKind::cone:
+        if constexpr (N == 3) add<ConeJoint<S, N>>(model);
+        return;
       case JointKind::hinge:
         return add<HingeJoint<S, N>>(model);
       case JointKind::weld:
@@ -513,12 +516,17 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
       joint.frame_a = world_.local_frame(joint.a, frame);
       joint.frame_b = world_.local_frame(joint.b, frame);
     }
+    if constexpr (requires { joint.cone_angle; }) {
+      set(joint.cone_angle, model.cone_angle, "cone_angle");
+    }
     if constexpr (requires { joint.lower; }) {
       joint.has_limits = model.limits.has_value();
       if (model.limits) {
         joint.lower = this->length((*model.limits)[0], "limits");
         joint.upper = this->length((*model.limits)[1], "limits");
       }
+    }
+    if constexpr (requires { joint.motor_speed; }) {
       set(joint.motor_speed, model.motor_speed, "motor_speed");
     }
     if constexpr (requires { joint.motor_torque; }) {

@@ -71,7 +71,7 @@ struct BodyModel {
   bool is_sensor = false, is_fast = false;
 };
 
-enum class JointKind { distance, ball, hinge, weld, slider, wheel };
+enum class JointKind { distance, ball, cone, hinge, weld, slider, wheel };
 
 /// A joint in a file; missing fields are as in dynamics/joint/kinds.hpp.
 struct JointModel {
@@ -83,7 +83,7 @@ struct JointModel {
   bool collide = false;
   std::optional<std::array<Literal, 2>> limits;
   std::optional<Literal> break_force, least, most, length, frequency, damping_ratio, max_force,
-      motor_speed, motor_torque, motor_force;
+      cone_angle, motor_speed, motor_torque, motor_force;
 };
 
 /// The side view of a world in two dimensions.

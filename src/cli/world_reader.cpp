@@ -416,6 +416,7 @@ class WorldReader : private JsonFields {
     joint.frequency = maybe_positive(node, "frequency");
     joint.damping_ratio = maybe_positive(node, "damping_ratio");
     joint.max_force = maybe_positive(node, "max_force");
+    joint.cone_angle = maybe_positive(node, "cone_angle");
     joint.motor_speed = maybe(node, "motor_speed");
     joint.motor_torque = maybe_positive(node, "motor_torque");
     joint.motor_force = maybe_positive(node, "motor_force");
@@ -438,6 +439,13 @@ class WorldReader : private JsonFields {
       allow({"frequency", "damping_ratio", "max_force"});
       return JointKind::ball;
     }
+    if (type.text == "cone") {
+      if (dimension_ == 2) {
+        fail(type, "cones are for three dimensions; use a hinge with limits");
+      }
+      allow({"rotation", "cone_angle", "limits"});
+      return JointKind::cone;
+    }
     if (type.text == "hinge") {
       allow({"rotation", "limits", "motor_speed", "motor_torque"});
       return JointKind::hinge;
@@ -457,7 +465,7 @@ class WorldReader : private JsonFields {
       return JointKind::wheel;
     }
     fail(type, "unknown joint " + in_quotes(type.text) +
-                   "; choose from distance, ball, hinge, weld, slider, wheel");
+                   "; choose from distance, ball, cone, hinge, weld, slider, wheel");
   }
 
   /// The body that an end of a joint names.

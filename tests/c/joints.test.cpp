@@ -35,7 +35,7 @@ struct Twins : WorldTwins<N> {
     REQUIRE(C::solid_create(&context, 5, raw_points.data(), size, &solid) == DETENT_OK);
     hulls[0] = *solid_hull(5, ConvexHull<S, N>{points});
     add_hull(place(-1), BodyMotion::fixed);
-    for (int i = 0; i < 6; ++i) add_hull(place(i), BodyMotion::dynamic);
+    for (int i = 0; i < 7; ++i) add_hull(place(i), BodyMotion::dynamic);
   }
 
   static Vec<S, N> place(int i) {
@@ -70,6 +70,7 @@ struct Twins : WorldTwins<N> {
     given.length = some(one);
     given.frequency = random.one_in(2) ? some(4 * one) : 0;
     given.damping_ratio = some(2 * one);
+    if (random.one_in(2)) given.cone_angle = some(one);
     const auto fill = [&](auto joint) {
       joint.a = id_of(given.a);
       joint.b = id_of(given.b);
@@ -83,7 +84,7 @@ struct Twins : WorldTwins<N> {
       joint.has_limits = given.has_limits == 1;
       joint.lower = raw(given.lower);
       joint.upper = raw(given.upper);
-      joint.motor_speed = raw(given.motor_speed);
+      if constexpr (requires { joint.motor_speed; }) joint.motor_speed = raw(given.motor_speed);
     };
     const auto spring = [&](auto& joint) {
       joint.frequency = raw(given.frequency);
@@ -120,6 +121,14 @@ struct Twins : WorldTwins<N> {
         joint.motor_force = raw(given.motor_force);
         return fill(joint);
       }
+      case DETENT_CONE_JOINT:
+        if constexpr (N == 3) {
+          ConeJoint<S, N> joint;
+          limit(joint);
+          joint.cone_angle = raw(given.cone_angle);
+          return fill(joint);
+        }
+        return;
       default: {
         WheelJoint<S, N> joint;
         limit(joint);
@@ -151,6 +160,7 @@ struct Twins : WorldTwins<N> {
 template <int N>
 void check_joints() {
   using C = Calls<N>;
+  constexpr std::uint32_t last_joint = N == 2 ? DETENT_WHEEL_JOINT : DETENT_CONE_JOINT;
   test::Random random(50 + N);
   std::uint32_t broken = 0;
   for (int round = 0; round < 8; ++round) {
@@ -158,7 +168,7 @@ void check_joints() {
     Twins<N> twins;
     auto& context = twins.context;
     const auto world = twins.world;
-    for (std::uint32_t kind = 1; kind <= 6; ++kind) {
+    for (std::uint32_t kind = 1; kind <= last_joint; ++kind) {
       twins.with_joint(kind, kind - 1, random, [&](const auto& given, const auto& joint) {
         detent_id id{};
         REQUIRE(C::world_add_joint(&context, world, &given, &id) == DETENT_OK);
@@ -175,7 +185,7 @@ void check_joints() {
     }
     for (int tick = 0; tick < 20; ++tick) broken += twins.step();
     // Changes the numbers of each remaining joint.
-    for (std::uint32_t kind = 1; kind <= 6; ++kind) {
+    for (std::uint32_t kind = 1; kind <= last_joint; ++kind) {
       twins.with_joint(kind, kind - 1, random, [&](const auto& given, const auto& joint) {
         const auto id = twins.joints[kind - 1];
         const JointId same{id.index, id.generation};
@@ -219,7 +229,10 @@ TEST_CASE("C joints: wrong numbers, kinds and bodies are errors") {
   detent_joint2 joint{};
   detent_id id{};
   CHECK(detent_joint2_defaults(0, &joint) == DETENT_BAD_ARGUMENT);
-  CHECK(detent_joint2_defaults(7, &joint) == DETENT_BAD_ARGUMENT);
+  CHECK(detent_joint2_defaults(DETENT_CONE_JOINT, &joint) == DETENT_BAD_ARGUMENT);
+  detent_joint3 cone{};
+  CHECK(detent_joint3_defaults(DETENT_CONE_JOINT, &cone) == DETENT_OK);
+  CHECK(detent_joint3_defaults(DETENT_CONE_JOINT + 1, &cone) == DETENT_BAD_ARGUMENT);
   REQUIRE(detent_joint2_defaults(DETENT_HINGE_JOINT, &joint) == DETENT_OK);
   const auto add = [&](const detent_joint2& given) {
     return detent_world2_add_joint(&twins.context, twins.world, &given, &id);
@@ -229,8 +242,9 @@ TEST_CASE("C joints: wrong numbers, kinds and bodies are errors") {
   CHECK(add(joint) == DETENT_NO);
   joint.b = twins.bodies[1];
   CHECK(add(joint) == DETENT_OK);
-  for (auto field : {&detent_joint2::break_force, &detent_joint2::motor_force,
-                     &detent_joint2::frequency, &detent_joint2::damping_ratio}) {
+  for (auto field :
+       {&detent_joint2::break_force, &detent_joint2::motor_force, &detent_joint2::frequency,
+        &detent_joint2::damping_ratio, &detent_joint2::cone_angle}) {
     auto wrong = joint;
     wrong.*field = -1;
     CHECK(add(wrong) == DETENT_BAD_ARGUMENT);

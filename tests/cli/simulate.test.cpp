@@ -280,8 +280,11 @@ TEST_CASE("detent simulate: errors in a world are named by line, and nothing is 
       "{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1, 2], \"radius\": 1,\n"
       "\"layers\": [32]}]}",
       "3:12: a layer of layers is not a whole number from 0 to 31;");
-  refused("{\"bodies\": [" + ball + "], \"joints\": [\n{\"type\": \"glue\"}]}",
-          "2:10: unknown joint \"glue\"; choose from distance, ball, hinge, weld, slider, wheel");
+  refused(
+      "{\"bodies\": [" + ball + "], \"joints\": [\n{\"type\": \"glue\"}]}",
+      "2:10: unknown joint \"glue\"; choose from distance, ball, cone, hinge, weld, slider, wheel");
+  refused("{\"dimension\": 2, \"bodies\": [], \"joints\": [\n{\"type\": \"cone\"}]}",
+          "2:10: cones are for three dimensions; use a hinge with limits");
   refused("{\"bodies\": [" + ball +
               "], \"joints\": [\n{\"type\": \"ball\", \"a\": \"b\", "
               "\"b\": \"c\", \"at\": [0, 0, 0]}]}",
@@ -442,6 +445,26 @@ TEST_CASE("detent simulate: rolling resistance stops a ball, and a part that is 
   CHECK(std::abs(stopped - 3.06) < 0.1);  // v^2 (1 + 1/2) / (2 * 0.1 g)
   CHECK(way(compound, of_part + "}]") > 9.9);
   CHECK(way(compound, of_part + resistance + "}]") == stopped);
+}
+
+TEST_CASE("detent simulate: an arm drops until its cone stops it") {
+  const Workshop shop;
+  const auto hanging = [&](const std::string& cone) {
+    shop.write("arm.json", R"({"bodies": [
+      {"type": "sphere", "id": "a", "center": [0, 3, 0], "radius": 0.3, "motion": "fixed"},
+      {"type": "capsule", "id": "b", "a": [0.4, 3, 0], "b": [1.4, 3, 0], "radius": 0.1}],
+      "joints": [{"type": "cone", "a": "a", "b": "b", "at": [0.4, 3, 0], "limits": [-0.5, 0.5],
+        "rotation": {"axis": [0, 1, 0], "angle": 90}, "cone_angle": )" +
+                               cone + "}]}");
+    const auto lines = lines_of(shop.run("simulate arm.json --ticks 60 --every 60 --bodies").out);
+    REQUIRE(lines.size() == 4);
+    return position_in(lines[2]);
+  };
+  for (const double cone : {0.4, 0.8}) {
+    const auto at = hanging(std::to_string(cone));
+    CHECK(std::fabs(at[0] - 0.4 - 0.5 * std::cos(cone)) < 0.001);
+    CHECK(std::fabs(at[1] - 3 + 0.5 * std::sin(cone)) < 0.001);
+  }
 }
 
 TEST_CASE("detent simulate: layers select collisions, and fast bodies pass no plate") {

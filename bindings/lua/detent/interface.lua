@@ -48,7 +48,8 @@ enum {
   DETENT_HINGE_JOINT = 3,
   DETENT_WELD_JOINT = 4,
   DETENT_SLIDER_JOINT = 5,
-  DETENT_WHEEL_JOINT = 6
+  DETENT_WHEEL_JOINT = 6,
+  DETENT_CONE_JOINT = 7
 };
 enum {
   DETENT_LOCK_X = 1,
@@ -393,6 +394,7 @@ typedef struct detent_joint2 {
   int32_t length;
   int32_t frequency;
   int32_t damping_ratio;
+  int32_t cone_angle;
 } detent_joint2;
 typedef struct detent_body2 {
   detent_vec2 position;
@@ -598,6 +600,7 @@ typedef struct detent_joint3 {
   int32_t length;
   int32_t frequency;
   int32_t damping_ratio;
+  int32_t cone_angle;
 } detent_joint3;
 typedef struct detent_body3 {
   detent_vec3 position;
@@ -1410,7 +1413,7 @@ local sizes = {
   detent_world2_settings = 36,
   detent_body2_options = 80,
   detent_part2 = 60,
-  detent_joint2 = 108,
+  detent_joint2 = 112,
   detent_body2 = 40,
   detent_vec3 = 12,
   detent_direction3 = 12,
@@ -1439,7 +1442,7 @@ local sizes = {
   detent_world3_settings = 40,
   detent_body3_options = 96,
   detent_part3 = 88,
-  detent_joint3 = 156,
+  detent_joint3 = 160,
   detent_body3 = 76,
   detent_camera3 = 80,
   detent_frustum3 = 96,

@@ -32,7 +32,7 @@ ONE = 1 << 16
 UNIT = 1 << 30
 ALL_LAYERS = 0xffffffff
 DYNAMIC, KINEMATIC, FIXED = 0, 1, 2
-DISTANCE, BALL, HINGE, WELD, SLIDER, WHEEL = range(1, 7)  # kinds of joint
+DISTANCE, BALL, HINGE, WELD, SLIDER, WHEEL, CONE = range(1, 8)  # kinds of joint
 
 
 def _load():

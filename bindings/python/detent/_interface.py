@@ -48,6 +48,7 @@ DETENT_HINGE_JOINT = 3
 DETENT_WELD_JOINT = 4
 DETENT_SLIDER_JOINT = 5
 DETENT_WHEEL_JOINT = 6
+DETENT_CONE_JOINT = 7
 DETENT_LOCK_X = 1
 DETENT_LOCK_Y = 2
 DETENT_LOCK_Z = 4
@@ -553,6 +554,7 @@ class detent_joint2(Structure):
         ('length', c_int32),
         ('frequency', c_int32),
         ('damping_ratio', c_int32),
+        ('cone_angle', c_int32),
     ]
 
 
@@ -882,6 +884,7 @@ class detent_joint3(Structure):
         ('length', c_int32),
         ('frequency', c_int32),
         ('damping_ratio', c_int32),
+        ('cone_angle', c_int32),
     ]
 
 
@@ -966,7 +969,7 @@ assert sizeof(detent_world2_contact) == 92
 assert sizeof(detent_world2_settings) == 36
 assert sizeof(detent_body2_options) == 80
 assert sizeof(detent_part2) == 60
-assert sizeof(detent_joint2) == 108
+assert sizeof(detent_joint2) == 112
 assert sizeof(detent_body2) == 40
 assert sizeof(detent_vec3) == 12
 assert sizeof(detent_direction3) == 12
@@ -995,7 +998,7 @@ assert sizeof(detent_world3_contact) == 156
 assert sizeof(detent_world3_settings) == 40
 assert sizeof(detent_body3_options) == 96
 assert sizeof(detent_part3) == 88
-assert sizeof(detent_joint3) == 156
+assert sizeof(detent_joint3) == 160
 assert sizeof(detent_body3) == 76
 assert sizeof(detent_camera3) == 80
 assert sizeof(detent_frustum3) == 96

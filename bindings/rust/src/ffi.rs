@@ -50,6 +50,7 @@ pub const HINGE_JOINT: u32 = 3;
 pub const WELD_JOINT: u32 = 4;
 pub const SLIDER_JOINT: u32 = 5;
 pub const WHEEL_JOINT: u32 = 6;
+pub const CONE_JOINT: u32 = 7;
 pub const LOCK_X: u32 = 1;
 pub const LOCK_Y: u32 = 2;
 pub const LOCK_Z: u32 = 4;
@@ -586,8 +587,9 @@ pub struct Joint2 {
     pub length: i32,
     pub frequency: i32,
     pub damping_ratio: i32,
+    pub cone_angle: i32,
 }
-const _: () = assert!(std::mem::size_of::<Joint2>() == 108);
+const _: () = assert!(std::mem::size_of::<Joint2>() == 112);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -944,8 +946,9 @@ pub struct Joint3 {
     pub length: i32,
     pub frequency: i32,
     pub damping_ratio: i32,
+    pub cone_angle: i32,
 }
-const _: () = assert!(std::mem::size_of::<Joint3>() == 156);
+const _: () = assert!(std::mem::size_of::<Joint3>() == 160);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -210,7 +210,8 @@ template <class Storage, Scalar S, int N, class... Parts>
   header.space = SnapshotSpace::of<S, N>();
   header.shapes =
       static_cast<std::uint16_t>(((IsJoint<Parts> ? 0u : 1u << shape_tag<Parts>) | ...));
-  header.kinds = static_cast<std::uint16_t>(((IsJoint<Parts> ? 1u << joint_tag<Parts> : 0u) | ...));
+  header.kinds =
+      static_cast<std::uint16_t>(((is_listed_joint<Parts> ? 1u << joint_tag<Parts> : 0u) | ...));
   header.next_joint = WorldAccess::joints(world).next;
   if constexpr (std::remove_cvref_t<decltype(world)>::has_joints) {
     header.joints = static_cast<std::uint32_t>(world.joint_count());

@@ -8,8 +8,19 @@
 namespace detent::test {
 namespace {
 
+/// A world of all kinds of joints.
 template <Scalar S, int N>
-BodyId add_any(JointedWorld<S, N>& world, Random& random) {
+struct AllJoints {
+  using World = JointedWorld<S, N>;
+};
+template <Scalar S>
+struct AllJoints<S, 3> {
+  using World = detent::World<S, 3, Sphere, Obb, DistanceJoint, BallJoint, HingeJoint, WeldJoint,
+                              SliderJoint, WheelJoint, ConeJoint>;
+};
+
+template <Scalar S, int N>
+BodyId add_any(typename AllJoints<S, N>::World& world, Random& random) {
   const Numbers<S, N> number{random, random.one_in(4)};
   BodyOptions<S, N> options;
   if (random.one_in(5)) {
@@ -36,8 +47,9 @@ Rotation<S, N> any_frame(Random& random) {
   }
 }
 
-template <class Joint, Scalar S, int N>
-void join_any(JointedWorld<S, N>& world, const BodyId& a, const BodyId& b, Random& random) {
+template <class Joint, class Storage, Scalar S, int N, class... Parts>
+void join_any(BasicWorld<Storage, S, N, Parts...>& world, const BodyId& a, const BodyId& b,
+              Random& random) {
   const Numbers<S, N> number{random, random.one_in(3)};
   Joint joint;
   joint.a = a;
@@ -71,13 +83,13 @@ TEMPLATE_TEST_CASE("joint: joints with any numbers step without harm", "", (Spac
     const Numbers<S, N> number{random, true};
     if (round % 4 == 0) settings.gravity = number.point();
     if (round % 8 == 0) settings.substeps = 500;
-    JointedWorld<S, N> world(settings);
+    typename AllJoints<S, N>::World world(settings);
     std::vector<BodyId> ids;
     for (int i = 0; i < 12; ++i) ids.push_back(add_any<S, N>(world, random));
     for (std::size_t i = 0; i + 1 < ids.size(); ++i) {
       const auto& a = ids[i];
       const auto& b = ids[random.one_in(3) ? 0 : i + 1];
-      switch (random.below(6)) {
+      switch (random.below(N == 3 ? 7 : 6)) {
         case 0:
           join_any<DistanceJoint<S, N>>(world, a, b, random);
           break;
@@ -93,8 +105,11 @@ TEMPLATE_TEST_CASE("joint: joints with any numbers step without harm", "", (Spac
         case 4:
           join_any<SliderJoint<S, N>>(world, a, b, random);
           break;
-        default:
+        case 5:
           join_any<WheelJoint<S, N>>(world, a, b, random);
+          break;
+        default:
+          if constexpr (N == 3) join_any<ConeJoint<S, N>>(world, a, b, random);
           break;
       }
     }
@@ -104,7 +119,7 @@ TEMPLATE_TEST_CASE("joint: joints with any numbers step without harm", "", (Spac
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       REQUIRE(is_unit(to_array(bodies[i].state.orientation)));
     }
-    auto restored = JointedWorld<S, N>(settings);
+    typename AllJoints<S, N>::World restored(settings);
     for (std::uint32_t i = 0; i < ids.size(); ++i) {
       if (bodies[i].motion == BodyMotion::fixed) restored = world;
     }

@@ -81,7 +81,7 @@ void join(World& world, const BodyId& a, const BodyId& b, const Vec<S, 3>& at, R
     joint.frame_b = world.local_frame(b, frame);
     return joint;
   };
-  const auto kind = random.below(5);
+  const auto kind = random.below(6);
   if (kind < 2) {
     auto ball = between(BallJoint<S, 3>{});
     if (random.one_in(6)) ball.frequency = S(2);
@@ -91,6 +91,12 @@ void join(World& world, const BodyId& a, const BodyId& b, const Vec<S, 3>& at, R
     hinge.has_limits = random.coin();
     if (random.one_in(6)) hinge.motor_torque = S(5);
     (void)world.add(hinge);
+  } else if (kind == 4) {
+    auto cone = framed(between(ConeJoint<S, 3>{}));
+    if (random.coin()) cone.cone_angle = num<S>(0.5);
+    cone.has_limits = random.coin();
+    cone.lower = num<S>(-0.25);
+    (void)world.add(cone);
   } else {
     (void)world.add(framed(between(WeldJoint<S, 3>{})));
   }
@@ -127,8 +133,9 @@ std::vector<std::uint64_t> run(const Plan& plan, int ticks) {
 TEMPLATE_TEST_CASE("joints: growing worlds have the bits of bounded ones", "", q16_16, q14_16,
                    q24_8, q8_8) {
   using S = TestType;
-  using Lanes = World<S, 3, Sphere, Obb, BallJoint, HingeJoint, WeldJoint>;
-  using Alone = BoundedWorld<Bounded<8>, S, 3, Sphere, Obb, BallJoint, HingeJoint, WeldJoint>;
+  using Lanes = World<S, 3, Sphere, Obb, BallJoint, HingeJoint, WeldJoint, ConeJoint>;
+  using Alone =
+      BoundedWorld<Bounded<8>, S, 3, Sphere, Obb, BallJoint, HingeJoint, WeldJoint, ConeJoint>;
   Random random(0x9806);
   const int rounds = DETENT_TEST_ALL ? 200 : 50;
   for (int i = 0; i < rounds; ++i) {

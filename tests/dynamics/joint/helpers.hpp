@@ -56,8 +56,8 @@ Joint joint_at(const JointedWorld<S, N>& world, const BodyId& a, const BodyId& b
 }
 
 /// The world position of a body's point, from the body's exact state.
-template <Scalar S, int N>
-std::vector<double> point_of(const JointedWorld<S, N>& world, const BodyId& id,
+template <class Storage, Scalar S, int N, class... Parts>
+std::vector<double> point_of(const BasicWorld<Storage, S, N, Parts...>& world, const BodyId& id,
                              const Vec<S, N>& anchor) {
   const auto& state = detail::WorldAccess::bodies(world)[id.index].state;
   const auto axes = detail::axes_of<S, N>(state.orientation);
@@ -74,8 +74,8 @@ std::vector<double> point_of(const JointedWorld<S, N>& world, const BodyId& id,
 }
 
 /// The distance between a joint's anchors.
-template <class Joint, Scalar S, int N>
-double gap_of(const JointedWorld<S, N>& world, const JointId& id) {
+template <class Joint, class World>
+double gap_of(const World& world, const JointId& id) {
   const Joint& joint = *world.template find_joint<Joint>(id);
   const auto p = point_of(world, joint.a, joint.anchor_a);
   const auto q = point_of(world, joint.b, joint.anchor_b);
@@ -84,12 +84,13 @@ double gap_of(const JointedWorld<S, N>& world, const JointId& id) {
   return std::sqrt(sum);
 }
 
-/// Kinetic plus potential energy, for gravity (0, -10).
-template <Scalar S, int N>
-double energy(const JointedWorld<S, N>& world) {
+/// Kinetic plus potential energy, for gravity along y.
+template <class Storage, Scalar S, int N, class... Parts>
+double energy(const BasicWorld<Storage, S, N, Parts...>& world) {
   double sum = 0;
   const auto& bodies = detail::WorldAccess::bodies(world);
   const double rate = detail::WorldAccess::rate(world);
+  const double weight = -static_cast<double>(world.settings().gravity[1]);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const auto& body = bodies[i];
     if (!body.can_move()) continue;
@@ -112,8 +113,8 @@ double energy(const JointedWorld<S, N>& world) {
       }
       v2 += w * w / static_cast<double>(body.inertia.inverse[j]);
     }
-    sum +=
-        static_cast<double>(body.mass) * (v2 / 2 + 10 * static_cast<double>(body.state.place[1]));
+    sum += static_cast<double>(body.mass) *
+           (v2 / 2 + weight * static_cast<double>(body.state.place[1]));
   }
   return sum;
 }

@@ -6,9 +6,9 @@ from fixed import ONE, PI, PI_BITS, Format, arc, cross, dot, ratio, squared, uni
 
 TURN, TURN_SHARE = Format(31, 28), Format(31, 24)
 HARD = 963621081, 271712043, 110120743
-PUSHES = {"distance": "distance", "ball": "point", "hinge": "point", "weld": "point", "slider": "line",
-          "wheel": "line"}
-TURNS = {"hinge": "turning", "weld": "stiff", "slider": "stiff", "wheel": "turning"}
+PUSHES = {"distance": "distance", "ball": "point", "cone": "point", "hinge": "point", "weld": "point",
+          "slider": "line", "wheel": "line"}
+TURNS = {"cone": "swinging", "hinge": "turning", "weld": "stiff", "slider": "stiff", "wheel": "turning"}
 
 
 class Joint:
@@ -19,11 +19,11 @@ class Joint:
         no_frame = [[ONE * (i == k) for k in range(n)] for i in range(n)]
         one = keys.pop("one")
         self.numbers = {"collide": 0, "break": 0, "least": 0, "most": one, "frequency": 0, "damping": one,
-                        "length": one if kind == "distance" else 0, "max_force": 0, "limits": None,
+                        "length": one if kind == "distance" else 0, "max_force": 0, "cone": 0, "limits": None,
                         "motor": [0, 0], "frame_a": no_frame, "frame_b": no_frame}
         self.numbers.update(keys)
         counts = {"distance": 3, "point": n, "line": n + 3, "turning": 3 if n == 2 else 5,
-                  "stiff": 1 if n == 2 else 3, None: 0}
+                  "stiff": 1 if n == 2 else 3, "swinging": 3, None: 0}
         self.push = [0] * counts[PUSHES[kind]]
         self.turn = [0] * counts[TURNS.get(kind)]
 
@@ -74,6 +74,11 @@ class Solved:
             self.pushes[4:] = [Row("equal") for _ in range(n - 1)]
         if turns == "stiff":
             self.turns = [Row("equal") for _ in self.turns]
+        elif turns == "swinging":
+            if k["cone"] > 0:
+                self.turns[0] = Row("limit")
+            if k["limits"]:
+                self.turns[1], self.turns[2] = Row("limit"), Row("limit")
         elif turns == "turning":
             speed, torque = k["motor"]
             if torque > 0:
@@ -158,6 +163,11 @@ class Solved:
             if n == 3:
                 self.turn(3, self.fa[0], f.spin.near(-cosine(1, 2), 30))
                 self.turn(4, self.fa[1], f.spin.near(cosine(0, 2), 30))
+        elif turns == "swinging":
+            if self.turns[0]:
+                self.swing(cosine(2, 2))
+            if self.turns[1]:
+                self.twist()
         elif turns == "stiff":
             if n == 2:
                 self.turn(0, [ONE], self.angle(cosine(0, 0), cosine(1, 0)))
@@ -168,6 +178,27 @@ class Solved:
 
     def angle(self, x, y):
         return self.f.spin.near(arc(y, x) * PI, 31 + PI_BITS)
+
+    def swing(self, x):
+        spin, F = self.f.spin, self.f.F
+        s = [ratio.near(c, 60) for c in cross(self.fb[2], self.fa[2])]
+        e = unit(s) if any(s) else self.fa[0]
+        swing = abs(self.angle(x, ratio.clamp(isqrt(squared(s)))))
+        self.turn(0, e, spin.near((self.joint.numbers["cone"] << 28) - (swing << F), F + 28))
+
+    def twist(self):
+        spin, F, fa, fb = self.f.spin, self.f.F, self.fa, self.fb
+        lower, upper = self.joint.numbers["limits"]
+        twist = self.angle(ratio.near(dot(fa[0], fb[0]) + dot(fa[1], fb[1]), 61),
+                           ratio.near(dot(fa[1], fb[0]) - dot(fa[0], fb[1]), 61))
+        both = [x + y for x, y in zip(fa[2], fb[2])]
+        m = unit(both) if any(both) else fa[2]
+        h = ratio.clamp(isqrt(squared(both) // 4))
+
+        def gap(x):  # x times 2^(F + 28)
+            return spin.near(h * spin.near(x, F + 28), 58)
+        self.turn(1, m, gap((twist << F) - (lower << 28)))
+        self.turn(2, [-x for x in m], gap((upper << 28) - (twist << F)))
 
     def push(self, i, u, gap, line=False):
         row, f, solver = self.pushes[i], self.f, self.solver

@@ -40,7 +40,7 @@ template <int N>
 struct WorldOf {
   using Type =
       World<S, 3, Sphere, Capsule, Aabb, Obb, BodyHull, BodyCompound, BodyMesh, BodyHeightField,
-            DistanceJoint, BallJoint, HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
+            DistanceJoint, BallJoint, HingeJoint, WeldJoint, SliderJoint, WheelJoint, ConeJoint>;
 };
 template <>
 struct WorldOf<2> {
@@ -98,6 +98,7 @@ class Stage {
       change<WeldJoint<S, N>>(joints_.at(index), in);
       change<SliderJoint<S, N>>(joints_.at(index), in);
       change<WheelJoint<S, N>>(joints_.at(index), in);
+      if constexpr (N == 3) change<ConeJoint<S, N>>(joints_.at(index), in);
     } else if (what == "place") {
       (void)world_.set_position(ids_.at(index), vector<N>(in));
     } else if (what == "turned") {
@@ -313,8 +314,10 @@ class Stage {
       join_as<SliderJoint<S, N>>(in);
     else if (kind == "wheel")
       join_as<WheelJoint<S, N>>(in);
-    else
+    else if (N == 2 || kind != "cone")
       fail("unknown joint: " + kind);
+    else if constexpr (N == 3)
+      join_as<ConeJoint<S, N>>(in);
   }
   template <class Joint>
   void join_as(std::istream& in) {
@@ -371,6 +374,10 @@ class Stage {
           joint.lower = number(in);
           joint.upper = number(in);
         });
+      }
+      if constexpr (requires { joint.cone_angle; })
+        when("cone", [&] { joint.cone_angle = number(in); });
+      if constexpr (requires { joint.motor_speed; }) {
         when("motor", [&] {
           joint.motor_speed = number(in);
           if constexpr (requires { joint.motor_torque; })

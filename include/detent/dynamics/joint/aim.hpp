@@ -57,6 +57,10 @@ class Aim {
     push(2, narrow_negative(along), joint.most - length);
   }
   constexpr void operator()(const BallJoint<S, N>& joint) noexcept { point(joint); }
+  constexpr void operator()(const ConeJoint<S, 3>& joint) noexcept {
+    point(joint);
+    aim_turns(joint);
+  }
   constexpr void operator()(const HingeJoint<S, N>& joint) noexcept {
     point(joint);
     aim_turns(joint);
@@ -79,6 +83,11 @@ class Aim {
   /// Computes only the rows of turns, for joints that keep two points together.
   template <class Joint>
   constexpr void aim_turns(const Joint&) noexcept {}
+  constexpr void aim_turns(const ConeJoint<S, 3>& joint) noexcept {
+    find_axes(joint);
+    if (ready_.turn[0].terms.law != Law::none) swinging(joint);
+    if (ready_.turn[1].terms.law != Law::none) twisting(joint);
+  }
   constexpr void aim_turns(const HingeJoint<S, N>& joint) noexcept {
     find_axes(joint);
     turning();
@@ -241,6 +250,33 @@ class Aim {
       turn(3, to_array(axes_a_[0]), nearest_to<Spin>(narrow_negative(cosine(1, 2))));
       turn(4, to_array(axes_a_[1]), nearest_to<Spin>(cosine(0, 2)));
     }
+  }
+  /// Keeps axis 2 of b in a cone about axis 2 of a. The angle between them is at least 0, but its
+  /// binary form wraps from pi to -pi.
+  constexpr void swinging(const ConeJoint<S, 3>& joint) noexcept {
+    const auto exact = cross(axes_b_[2], axes_a_[2]);
+    const auto back = make_vec<3>([&](int i) { return nearest_to<Ratio>(exact[i]); });
+    const auto sine = sqrt_floor<Ratio>(squared_length(back));
+    const auto swing = abs(angle_of_vector<S>(cosine(2, 2), sine));
+    const auto axis = unit_vector<Ratio>(to_array(back)).value_or(to_array(axes_a_[0]));
+    turn(0, axis, saturate_to<Spin>(joint.cone_angle - swing));
+  }
+  /// The limits of the turn about axis 2 that is left without the shortest turn from axis 2 of a to
+  /// that of b. A turn by x about the axis in the middle of both changes it by x / h.
+  ///
+  /// Each product of axes is at most 2^60 (1 + 2^-28), and a sum of two fits 62 bits.
+  constexpr void twisting(const ConeJoint<S, 3>& joint) noexcept {
+    const auto times = [&](std::size_t i, std::size_t j) {
+      return narrow_dot<62>(axes_a_[i], axes_b_[j]);
+    };
+    const auto twist = angle_of_vector<S>(nearest_to<Ratio>(half(times(0, 0) + times(1, 1))),
+                                          nearest_to<Ratio>(half(times(1, 0) - times(0, 1))));
+    const auto both = axes_a_[2] + axes_b_[2];
+    const auto h = sqrt_floor<Ratio>(half(half(squared_length(both))));
+    const auto gap = [&](const auto& x) { return nearest_to<Spin>(h * saturate_to<Spin>(x)); };
+    turn(1, unit_vector<Ratio>(to_array(both)).value_or(to_array(axes_a_[2])),
+         gap(twist - joint.lower));
+    turn_back(2, 1, gap(joint.upper - twist));
   }
   /// The rows that align the frames. In 3D the gap is half of the sum of all a_i x b_i, which is at
   /// most 3 / 2 (1 + 2^-28).

@@ -25,11 +25,12 @@ constexpr void for_each_number(Joint& joint, const F& f) {
     f("least", joint.least);
     f("most", joint.most);
   }
+  if constexpr (requires { joint.cone_angle; }) f("cone_angle", joint.cone_angle);
   if constexpr (requires { joint.lower; }) {
     f("lower", joint.lower);
     f("upper", joint.upper);
-    f("motor_speed", joint.motor_speed);
   }
+  if constexpr (requires { joint.motor_speed; }) f("motor_speed", joint.motor_speed);
   if constexpr (requires { joint.motor_torque; }) f("motor_torque", joint.motor_torque);
   if constexpr (requires { joint.motor_force; }) f("motor_force", joint.motor_force);
   if constexpr (requires { joint.length; }) f("length", joint.length);
@@ -105,10 +106,13 @@ template <class Storage, Scalar S, int N, class... Joints, class Bodies>
       const std::size_t i = word & 0x1fffffu;
       if (in.has_failed() || i < lowest || (word >> 23 & 1) != 0) return Restored::corrupted;
       if (i >= JointGroup<Storage, S, N, Joints...>::room) return Restored::no_room;
+      const auto kind = word >> 24;
+      if (kind > last_listed_joint && ((joint_tag<Joints> != kind) && ...)) {
+        return Restored::other_scene;
+      }
       typename JointGroup<Storage, S, N, Joints...>::Record record;
       const bool known =
-          ((joint_tag<Joints> == word >> 24 && read_joint<Joints>(in, record, word, bodies)) ||
-           ...);
+          ((joint_tag<Joints> == kind && read_joint<Joints>(in, record, word, bodies)) || ...);
       if (!known || record.generation == 0 || record.generation >= next) {
         return Restored::corrupted;
       }

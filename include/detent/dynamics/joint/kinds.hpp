@@ -34,7 +34,7 @@ struct JointEnds {
 };
 
 /// Joints with directions: a slider moves along axis 0 of `frame_a`; in 3D a hinge and the axle of
-/// a wheel turn about axis 2. Angles are from axis 0 of `frame_a` to axis 0 of `frame_b`.
+/// a wheel turn about axis 2, which is also the axis of a cone. Angles are from axis 0 of `frame_a` to axis 0 of `frame_b`.
 template <Scalar S, int N>
 struct FramedEnds : JointEnds<S, N> {
   Rotation<S, N> frame_a{}, frame_b{};  // in the frames of a and b
@@ -71,6 +71,24 @@ struct BallJoint : JointEnds<S, N> {
 
   [[nodiscard]] friend constexpr bool operator==(const BallJoint&,
                                                  const BallJoint&) noexcept = default;
+};
+
+/// Keeps two points together, in 3D, like a shoulder: axis 2 of `frame_b` stays in a cone about that
+/// of `frame_a`, and b twists about it between limits.
+///
+/// units:  cone_angle, the greatest angle between both axes 2, lower and upper in radians
+/// domain: a cone_angle of 0 is no cone; the twist is in [-pi, pi), its limits count only if
+///         `has_limits`, and they give way as the swing nears pi
+/// exact:  as docs/joints.md says                               (tests/dynamics/joint/cone.test.cpp)
+template <Scalar S, int N>
+struct ConeJoint : FramedEnds<S, N> {
+  static_assert(N == 3, "detent: in 2D use a HingeJoint with limits");
+  S cone_angle = S(0);
+  bool has_limits = false;
+  S lower = S(0), upper = S(0);
+
+  [[nodiscard]] friend constexpr bool operator==(const ConeJoint&,
+                                                 const ConeJoint&) noexcept = default;
 };
 
 /// Keeps two points together and, in 3D, axis 2 of both frames aligned. Limits of the angle are
@@ -150,9 +168,17 @@ template <Scalar S, int N>
 inline constexpr std::uint8_t joint_tag<SliderJoint<S, N>> = 5;
 template <Scalar S, int N>
 inline constexpr std::uint8_t joint_tag<WheelJoint<S, N>> = 6;
+template <Scalar S, int N>
+inline constexpr std::uint8_t joint_tag<ConeJoint<S, N>> = 7;
 
 template <class T>
 concept IsJoint = (joint_tag<T> != 0);
+
+/// Whether the header of a snapshot lists this kind, if the world names it. Later kinds are not
+/// listed, so that the snapshots of a world stay valid when its type gets such a kind.
+inline constexpr std::uint32_t last_listed_joint = 6;
+template <class T>
+inline constexpr bool is_listed_joint = joint_tag<T> != 0 && joint_tag<T> <= last_listed_joint;
 
 template <class... Ts>
 struct Types {

@@ -26,6 +26,10 @@ struct RowsOf<BallJoint<S, N>> {
   static constexpr std::size_t push = N, turn = 0;
 };
 template <Scalar S, int N>
+struct RowsOf<ConeJoint<S, N>> {
+  static constexpr std::size_t push = N, turn = 3;
+};
+template <Scalar S, int N>
 struct RowsOf<HingeJoint<S, N>> {
   static constexpr std::size_t push = N, turn = N == 2 ? 3 : 5;
 };
@@ -117,6 +121,12 @@ class LayOut {
     }
     strength(joint);
   }
+  constexpr void operator()(const ConeJoint<S, 3>& joint) const noexcept {
+    point();
+    if (joint.cone_angle > 0) turn(0, Law::limit);
+    if (joint.has_limits) limit_angle();
+    strength(joint);
+  }
   constexpr void operator()(const HingeJoint<S, N>& joint) const noexcept {
     point();
     turning(joint, joint.has_limits);
@@ -167,6 +177,10 @@ class LayOut {
   constexpr void stiff() const noexcept {
     for (std::size_t i = 0; i < (N == 2 ? 1 : 3); ++i) turn(i, Law::equal);
   }
+  constexpr void limit_angle() const noexcept {
+    turn(1, Law::limit);
+    turn(2, Law::limit);
+  }
   template <class Joint>
   constexpr void line(const Joint& joint) const noexcept {
     spring(1, joint);
@@ -185,10 +199,7 @@ class LayOut {
       terms.is_capped = true;
       ready_.torque = over_masses<typename F::Torque>(joint.motor_torque, a_, b_, rate_);
     }
-    if (has_limits) {
-      turn(1, Law::limit);
-      turn(2, Law::limit);
-    }
+    if (has_limits) limit_angle();
     if constexpr (N == 3) {
       turn(3, Law::equal);
       turn(4, Law::equal);
