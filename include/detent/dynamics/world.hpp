@@ -508,7 +508,8 @@ class BasicWorld {
   /// next step would find them, so bodies that were put apart since the step have none.
   ///
   /// result: impulses of the last substep of the last step; 0 in contacts of bodies put elsewhere
-  /// exact:  each number rounded once and clamped          (docs/dynamics.md, tests/dynamics/world_contact.test.cpp)
+  /// exact:  each number rounded once and clamped, as docs/dynamics.md says
+  ///                                                   (tests/dynamics/world_contact.test.cpp)
   template <class F>
   constexpr void for_each_contact(const F& f) const {
     visit_contacts(nullptr, f);

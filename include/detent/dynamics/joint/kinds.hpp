@@ -34,7 +34,8 @@ struct JointEnds {
 };
 
 /// Joints with directions: a slider moves along axis 0 of `frame_a`; in 3D a hinge and the axle of
-/// a wheel turn about axis 2, which is also the axis of a cone. Angles are from axis 0 of `frame_a` to axis 0 of `frame_b`.
+/// a wheel turn about axis 2, which is also the axis of a cone. Angles are from axis 0 of `frame_a`
+/// to axis 0 of `frame_b`.
 template <Scalar S, int N>
 struct FramedEnds : JointEnds<S, N> {
   Rotation<S, N> frame_a{}, frame_b{};  // in the frames of a and b
