@@ -39,7 +39,7 @@ const errors = [];
 
 async function open(query, path = '') {
   const page = await browser.newPage();
-  page.setDefaultTimeout(isLong ? 7_200_000 : 200_000);
+  page.setDefaultTimeout(isLong ? 7_200_000 : 600_000);
   page.on('console', (message) => { if (message.type() === 'error') errors.push(message.text()); });
   page.on('pageerror', (error) => errors.push(error.stack));
   await page.goto(`${address}${path}?${query}`);
