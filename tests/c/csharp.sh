@@ -9,7 +9,7 @@ trap 'rm -rf "$work"' EXIT
 mcs -unsafe -optimize -warnaserror -nowarn:0649 -out:"$work/tests.exe" \
   bindings/csharp/*.cs bindings/csharp/examples/*.cs bindings/csharp/tests/*.cs
 DETENT_MATCH=$("$1") LD_LIBRARY_PATH=$(dirname "$(realpath "$2")") mono "$work/tests.exe"
-sed -n '/^```csharp$/,/^```$/{/^```/d;p}' docs/bindings.md >"$work/page.cs"
+bash tests/docs/block.sh docs/bindings.md csharp >"$work/page.cs"
 mcs -unsafe -warnaserror -nowarn:0649 -out:"$work/page.exe" bindings/csharp/*.cs "$work/page.cs"
 said=$(LD_LIBRARY_PATH=$(dirname "$(realpath "$2")") mono "$work/page.exe")
 [[ $said == 'True 9' ]] || { echo "the page prints $said"; exit 1; }

@@ -9,5 +9,5 @@ export DETENT_LIBRARY DETENT_MATCH LUA_PATH='bindings/lua/?.lua;bindings/lua/?/i
 luajit bindings/lua/tests/test_detent.lua
 said=$(luajit bindings/lua/examples/match.lua)
 [[ $said == "$DETENT_MATCH" ]] || { echo "the example ends with $said"; exit 1; }
-said=$(sed -n '/^```lua$/,/^```$/{/^```/d;p}' docs/bindings.md | luajit -)
+said=$(bash tests/docs/block.sh docs/bindings.md lua | luajit -)
 [[ $said == 'true	9' ]] || { echo "the page prints $said"; exit 1; }

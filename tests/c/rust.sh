@@ -8,7 +8,7 @@ DETENT_LIBRARY_DIR=$(dirname "$(realpath "$2")") DETENT_MATCH=$("$1")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp -r bindings/rust "$work/crate"
-sed -n '/^```rust$/,/^```$/{/^```/d;p}' docs/bindings.md >"$work/crate/examples/page.rs"
+bash tests/docs/block.sh docs/bindings.md rust >"$work/crate/examples/page.rs"
 export DETENT_LIBRARY_DIR DETENT_MATCH LD_LIBRARY_PATH=$DETENT_LIBRARY_DIR RUSTFLAGS='-D warnings'
 cd "$work/crate"
 cargo test --offline --quiet

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: c_consumer.sh PREFIX
-# Builds and runs the first C program of docs/bindings.md against an installation: with find_package and
-# the shared or static library, and with pkg-config. Requesting a missing component is an error.
+# Builds and runs the first C program of docs/bindings.md against an installation: with find_package
+# and the shared or static library, and with pkg-config. Requesting a missing component is an error.
 set -euo pipefail
 compiler=$(command -v gcc || command -v cc) || { echo 'skipped: no C compiler is installed'; exit 77; }
 prefix=$(realpath "$1")

@@ -17,6 +17,10 @@ namespace detent::detail {
 /// Two bodies by index, the lower one first.
 struct BodyPair {
   std::uint32_t a = 0, b = 0;
+
+  [[nodiscard]] constexpr bool has(std::uint32_t body) const noexcept {
+    return a == body || b == body;
+  }
   [[nodiscard]] friend constexpr auto operator<=>(const BodyPair&,
                                                   const BodyPair&) noexcept = default;
 };

@@ -150,10 +150,7 @@ class Tick {
   [[nodiscard]] static constexpr ContactKey touching(const Bodies& bodies,
                                                      const Contact& contact) noexcept {
     auto key = key_of(contact);
-    if (!has_compounds || compound_of<S, N>(bodies[key.pair.a].shape) == nullptr ||
-        compound_of<S, N>(bodies[key.pair.b].shape) == nullptr) {
-      key.part = 0;
-    }
+    if (!are_compounds(bodies, key.pair)) key.part = 0;
     return key;
   }
   /// The indices of the parts of compounds; 0 for other bodies.
@@ -166,9 +163,7 @@ class Tick {
   /// The triangle of a contact with a mesh or height field; 0 for others.
   [[nodiscard]] static constexpr std::uint32_t triangle_of(const Bodies& bodies,
                                                            const ContactState& contact) noexcept {
-    const bool has_two = has_compounds && compound_of<S, N>(bodies[contact.a].shape) != nullptr &&
-                         compound_of<S, N>(bodies[contact.b].shape) != nullptr;
-    return has_two ? 0 : contact.part;
+    return are_compounds(bodies, pair_of(contact)) ? 0 : contact.part;
   }
 
  private:
@@ -190,6 +185,13 @@ class Tick {
       return index == index_of_a ? a : b;
     }
   };
+
+  /// Whether both bodies are compounds.
+  [[nodiscard]] static constexpr bool are_compounds(const Bodies& bodies,
+                                                    const BodyPair& pair) noexcept {
+    return has_compounds && compound_of<S, N>(bodies[pair.a].shape) != nullptr &&
+           compound_of<S, N>(bodies[pair.b].shape) != nullptr;
+  }
 
   static constexpr int colours = 64, pair_colours = 48;
   static constexpr bool has_groups = uses_long_lanes<Storage, S, N>;

@@ -164,12 +164,11 @@ class BasicWorld {
     if (find(id) == nullptr) return false;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const auto& contact = contacts_[i];
-      if (contact.a == id.index || contact.b == id.index) {
-        rouse(bodies_[contact.a]);
-        rouse(bodies_[contact.b]);
+      const auto pair = detail::pair_of(contacts_[i]);
+      if (pair.has(id.index)) {
+        rouse(pair);
       } else {
-        contacts_[kept++] = contact;
+        contacts_[kept++] = contacts_[i];
       }
     }
     contacts_.resize(kept);
@@ -584,18 +583,22 @@ class BasicWorld {
     rouse(bodies_[pair.a]);
     rouse(bodies_[pair.b]);
   }
+  template <class F>
+  constexpr void for_each_contact_of(std::uint32_t index, const F& f) noexcept {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (detail::pair_of(contacts_[i]).has(index)) f(contacts_[i]);
+    }
+  }
   /// Wakes a body that was moved, and those that it touched or is joined to.
   constexpr void disturb(std::uint32_t index) noexcept {
     rouse(bodies_[index]);
     bodies_[index].hold_here();
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      auto& contact = contacts_[i];
-      if (contact.a != index && contact.b != index) continue;
+    for_each_contact_of(index, [&](auto& contact) {
       contact.pressure = {};
       contact.friction = {};
       if constexpr (requires { contact.rolling; }) contact.rolling = {};
-      rouse(detail::BodyPair{contact.a, contact.b});
-    }
+      rouse(detail::pair_of(contact));
+    });
     if constexpr (has_joints) {
       joints_.for_each_of(index, [&](const detail::BodyPair& pair) { rouse(pair); });
     }
@@ -607,10 +610,7 @@ class BasicWorld {
     if (body == nullptr) return false;
     f(*body);
     rouse(*body);
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const auto pair = detail::pair_of(contacts_[i]);
-      if (pair.a == id.index || pair.b == id.index) rouse(pair);
-    }
+    for_each_contact_of(id.index, [&](const auto& contact) { rouse(detail::pair_of(contact)); });
     return true;
   }
   /// Calls f with each contact that touches, of one body or of all.
@@ -622,8 +622,7 @@ class BasicWorld {
       for (; i < contacts_.size() && detail::pair_of(contacts_[i]) == pair; ++i) {
         touches = touches || contacts_[i].touches;
       }
-      const bool is_wanted = only == nullptr || pair.a == only->index || pair.b == only->index;
-      if (!touches || !is_wanted) continue;
+      if (!touches || (only != nullptr && !pair.has(only->index))) continue;
       Tick::visit_touching(
           bodies_, contacts_, first, settings_.margin, pace_.margin,
           [&](const auto& contact, const auto& at_a, const auto& manifold, const auto& offset) {
