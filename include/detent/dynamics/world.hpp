@@ -589,15 +589,19 @@ class BasicWorld {
       if (detail::pair_of(contacts_[i]).has(index)) f(contacts_[i]);
     }
   }
+  /// Wakes a body and those that it touched.
+  constexpr void rouse_touched(std::uint32_t index) noexcept {
+    rouse(bodies_[index]);
+    for_each_contact_of(index, [&](const auto& contact) { rouse(detail::pair_of(contact)); });
+  }
   /// Wakes a body that was moved, and those that it touched or is joined to.
   constexpr void disturb(std::uint32_t index) noexcept {
-    rouse(bodies_[index]);
+    rouse_touched(index);
     bodies_[index].hold_here();
     for_each_contact_of(index, [&](auto& contact) {
       contact.pressure = {};
       contact.friction = {};
       if constexpr (requires { contact.rolling; }) contact.rolling = {};
-      rouse(detail::pair_of(contact));
     });
     if constexpr (has_joints) {
       joints_.for_each_of(index, [&](const detail::BodyPair& pair) { rouse(pair); });
@@ -609,8 +613,7 @@ class BasicWorld {
     Body* body = find(id);
     if (body == nullptr) return false;
     f(*body);
-    rouse(*body);
-    for_each_contact_of(id.index, [&](const auto& contact) { rouse(detail::pair_of(contact)); });
+    rouse_touched(id.index);
     return true;
   }
   /// Calls f with each contact that touches, of one body or of all.
