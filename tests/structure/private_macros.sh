@@ -6,7 +6,7 @@
 set -euo pipefail
 
 documented='DETENT_ASSERT DETENT_ASSERTIONS DETENT_NATIVE_INT128 DETENT_PORTABLE_INT128
-            DETENT_SHORT_WORDS DETENT_SMALL_CODE
+            DETENT_INLINE_UNOPTIMIZED DETENT_SHORT_WORDS DETENT_SMALL_CODE
             DETENT_VERSION_MAJOR DETENT_VERSION_MINOR DETENT_VERSION_PATCH'
 compiler=$1 include=${2:-include}
 system=$(grep -rhoE '^#include <[a-z_.0-9]+>' "$include" | sort -u)
