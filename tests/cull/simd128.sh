@@ -32,4 +32,5 @@ for name in support/main.cpp cull/long_lanes.test.cpp dynamics/contact_group.tes
 done
 clang++-14 --target=wasm32-wasi "${objects[@]}" -Wl,-z,stack-size=1048576 -lwasi-emulated-signal \
   -lwasi-emulated-process-clocks -lwasi-emulated-getpid -o "$work/lanes.wasm"
-node --no-warnings "$tests/platforms/wasi.mjs" "$work/lanes.wasm"
+# Lanes as arrays are the same code as on any machine, where other tests run it.
+node --no-warnings "$tests/platforms/wasi.mjs" "$work/lanes.wasm" '~*ArrayLongLanes*'
