@@ -127,11 +127,42 @@ class SolidCompound {
     return make_vec<N>([&](int i) { return nearest_to<Lever>(part.place()[i] - mass_.center[i]); });
   }
 
- private:
-  template <Scalar T, int M>
-  friend constexpr std::optional<SolidCompound<T, M>> solid_compound(
-      std::uint32_t id, std::span<const BodyPart<T, M>> parts) noexcept;
+  /// What `solid_compound` returns.
+  [[nodiscard]] static constexpr std::optional<SolidCompound> make(
+      std::uint32_t id, std::span<const BodyPart<S, N>> parts) noexcept {
+    if (parts.empty() || parts.size() > capacity) return std::nullopt;
+    SolidCompound solid;
+    solid.parts_ = parts;
+    solid.id_ = id;
+    solid.mass_ = detail::sum_of<S, N>([&](const auto& add) {
+      for (const auto& part : parts) add(part.mass());
+    });
+    Digest digest;
+    for (const auto& part : parts) {
+      const auto& options = part.options();
+      part.shape().visit([&]<class Shape>(const Shape& shape) {
+        digest.add(detail::shape_tag<Shape>, shape, part.place());
+      });
+      for (const auto& axis : part.axes()) digest.add(axis);
+      const bool resists = options.rolling_resistance != S{};
+      solid.resists_rolling_ = solid.resists_rolling_ || options.rolling_resistance > 0;
+      digest.add(options.density, options.friction, options.restitution,
+                 static_cast<std::uint8_t>((options.is_sensor ? 1 : 0) | (resists ? 2 : 0)));
+      if (resists) digest.add(options.rolling_resistance);
+      const auto at = make_vec<N>([&](int i) {
+        return saturate_to<typename detail::Formats<S>::Place>(solid.offset(part)[i]);
+      });
+      const auto bounds = detail::bounds_of<S, N>(at, part.axes(), part.reach(), S(0));
+      solid.reach_.half_extents = make_vec<N>([&](int k) {
+        const auto most = (max)(abs(bounds.least[k]), abs(bounds.most[k]));
+        return (max)(solid.reach_.half_extents[k], saturate_to<S>(ceil_to<S>(most)));
+      });
+    }
+    solid.digest_ = digest.value();
+    return solid;
+  }
 
+ private:
   std::span<const BodyPart<S, N>> parts_;
   std::uint64_t digest_ = 0;
   std::uint32_t id_ = 0;
@@ -148,37 +179,7 @@ class SolidCompound {
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<SolidCompound<S, N>> solid_compound(
     std::uint32_t id, std::span<const BodyPart<S, N>> parts) noexcept {
-  using Solid = SolidCompound<S, N>;
-  if (parts.empty() || parts.size() > Solid::capacity) return std::nullopt;
-  Solid solid;
-  solid.parts_ = parts;
-  solid.id_ = id;
-  solid.mass_ = detail::sum_of<S, N>([&](const auto& add) {
-    for (const auto& part : parts) add(part.mass());
-  });
-  Digest digest;
-  for (const auto& part : parts) {
-    const auto& options = part.options();
-    part.shape().visit([&]<class Shape>(const Shape& shape) {
-      digest.add(detail::shape_tag<Shape>, shape, part.place());
-    });
-    for (const auto& axis : part.axes()) digest.add(axis);
-    const bool resists = options.rolling_resistance != S{};
-    solid.resists_rolling_ = solid.resists_rolling_ || options.rolling_resistance > 0;
-    digest.add(options.density, options.friction, options.restitution,
-               static_cast<std::uint8_t>((options.is_sensor ? 1 : 0) | (resists ? 2 : 0)));
-    if (resists) digest.add(options.rolling_resistance);
-    const auto at = make_vec<N>([&](int i) {
-      return saturate_to<typename detail::Formats<S>::Place>(solid.offset(part)[i]);
-    });
-    const auto bounds = detail::bounds_of<S, N>(at, part.axes(), part.reach(), S(0));
-    solid.reach_.half_extents = make_vec<N>([&](int k) {
-      const auto most = (max)(abs(bounds.least[k]), abs(bounds.most[k]));
-      return (max)(solid.reach_.half_extents[k], saturate_to<S>(ceil_to<S>(most)));
-    });
-  }
-  solid.digest_ = digest.value();
-  return solid;
+  return SolidCompound<S, N>::make(id, parts);
 }
 /// The same for an array or a vector of parts.
 template <class List>

@@ -38,11 +38,19 @@ class SolidHull {
   /// The faces, relative to the center of mass.
   [[nodiscard]] constexpr detail::Polytope<S, N> faces() const noexcept { return parts_.view(); }
 
- private:
-  template <Scalar T, int M>
-  friend constexpr std::optional<SolidHull<T, M>> solid_hull(std::uint32_t id,
-                                                             const ConvexHull<T, M>& hull) noexcept;
+  /// What `solid_hull` returns.
+  [[nodiscard]] static constexpr std::optional<SolidHull> make(
+      std::uint32_t id, const ConvexHull<S, N>& hull) noexcept {
+    if (hull.points.size() > capacity) return std::nullopt;
+    const auto properties = mass_properties(hull, S(1));
+    if (!(properties.mass > 0)) return std::nullopt;
+    SolidHull solid(*hull_asset(id, hull));
+    solid.center_ = properties.center;
+    solid.parts_ = detail::facets_of<capacity>(hull.points, properties.center);
+    return solid;
+  }
 
+ private:
   static_assert(capacity <= HullAsset<S, N>::capacity);
   explicit constexpr SolidHull(const HullAsset<S, N>& asset) noexcept : asset_(asset) {}
 
@@ -61,14 +69,7 @@ class SolidHull {
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<SolidHull<S, N>> solid_hull(
     std::uint32_t id, const ConvexHull<S, N>& hull) noexcept {
-  using Solid = SolidHull<S, N>;
-  if (hull.points.size() > Solid::capacity) return std::nullopt;
-  const auto properties = mass_properties(hull, S(1));
-  if (!(properties.mass > 0)) return std::nullopt;
-  Solid solid(*hull_asset(id, hull));
-  solid.center_ = properties.center;
-  solid.parts_ = detail::facets_of<Solid::capacity>(hull.points, properties.center);
-  return solid;
+  return SolidHull<S, N>::make(id, hull);
 }
 
 /// A convex body: the points of `asset`, rotated, then moved by `translation`. Worlds that hold such

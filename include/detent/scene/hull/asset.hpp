@@ -28,13 +28,16 @@ class HullAsset {
   [[nodiscard]] constexpr std::uint32_t id() const noexcept { return id_; }
   [[nodiscard]] constexpr std::uint64_t digest() const noexcept { return digest_; }
 
+  /// What `hull_asset` returns.
+  [[nodiscard]] static constexpr std::optional<HullAsset> make(
+      std::uint32_t id, const ConvexHull<S, N>& hull) noexcept {
+    if (hull.points.size() > capacity) return std::nullopt;
+    return HullAsset(id, hull);
+  }
+
  private:
   constexpr HullAsset(std::uint32_t id, const ConvexHull<S, N>& view) noexcept
       : hull_(view), digest_(detent::digest(view)), id_(id) {}
-
-  template <Scalar T, int M>
-  friend constexpr std::optional<HullAsset<T, M>> hull_asset(std::uint32_t id,
-                                                             const ConvexHull<T, M>& hull) noexcept;
 
   ConvexHull<S, N> hull_;
   std::uint64_t digest_;
@@ -46,8 +49,7 @@ class HullAsset {
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<HullAsset<S, N>> hull_asset(
     std::uint32_t id, const ConvexHull<S, N>& hull) noexcept {
-  if (hull.points.size() > HullAsset<S, N>::capacity) return std::nullopt;
-  return HullAsset<S, N>(id, hull);
+  return HullAsset<S, N>::make(id, hull);
 }
 
 /// A transformed convex hull: the hull of its transformed points, each coordinate rounded once from
