@@ -254,17 +254,8 @@ void check_rough_row(const DemoRow& row, const std::string& place, int often) {
   CHECK(row.wrong + row.off > (place == "near" ? 0 : often));
 }
 
-}  // namespace
-
-TEST_CASE("detent demo: q16_16 is right about every ray, near and far, and float is not") {
-  const Workshop shop;
-  const auto result = shop.run("demo --size 96x60 --out pictures");
-  INFO(result.out << result.err);
-  REQUIRE(result.code == 0);
-  CHECK(content_of(shop.path("pictures/demo.png")).starts_with("\x89PNG"));
-  CHECK(result.out.find("picture: pictures/demo.png\n") != std::string::npos);
-
-  std::istringstream table(result.out);
+void check_rays(const std::string& out) {
+  std::istringstream table(out);
   std::string line;
   std::getline(table, line);
   for (const std::string place : {"near", "far"}) {
@@ -274,12 +265,8 @@ TEST_CASE("detent demo: q16_16 is right about every ray, near and far, and float
   }
 }
 
-TEST_CASE("detent demo: casts have the same length near and far from the origin, except in float") {
-  const Workshop shop;
-  const auto result = shop.run("demo --size 32x20 --out pictures");
-  REQUIRE(result.code == 0);
-  CHECK(content_of(shop.path("pictures/casts.png")).starts_with("\x89PNG"));
-  auto table = text_after("off: by more than 1/1024):\n", result.out);
+void check_casts(const std::string& out) {
+  auto table = text_after("off: by more than 1/1024):\n", out);
   std::string line;
   std::getline(table, line);
   CHECK(line.starts_with("place scalar"));
@@ -294,11 +281,8 @@ TEST_CASE("detent demo: casts have the same length near and far from the origin,
   }
 }
 
-TEST_CASE("detent demo: contacts are the same near and far from the origin, except in float") {
-  const Workshop shop;
-  const auto result = shop.run("demo --size 32x20 --out pictures");
-  REQUIRE(result.code == 0);
-  auto table = text_after("place that is off by more than 1/1024):\n", result.out);
+void check_contacts(const std::string& out) {
+  auto table = text_after("place that is off by more than 1/1024):\n", out);
   std::string line;
   std::getline(table, line);
   CHECK(line.starts_with("place scalar     bodies contacts"));
@@ -312,43 +296,49 @@ TEST_CASE("detent demo: contacts are the same near and far from the origin, exce
   }
 }
 
-TEST_CASE(
-    "detent demo: bodies end in the same places far from the origin and near it, except in float") {
-  const Workshop shop;
-  const auto result = shop.run("demo --size 32x20 --out pictures");
-  REQUIRE(result.code == 0);
-  CHECK(content_of(shop.path("pictures/bodies.png")).starts_with("\x89PNG"));
+void check_bodies(const std::string& out) {
   for (const char* const row :
        {"\nnear  q16_16         23      240       3       0  0.0000  0x62012bee6027f692\n",
         "\nfar   q16_16         23      240       3       0  0.0000  0x1f9950be3fa466f0\n"}) {
-    CHECK(result.out.find(row) != std::string::npos);
+    CHECK(out.find(row) != std::string::npos);
   }
-  const auto far_row = result.out.find("\nfar   float          23      240 ");
+  const auto far_row = out.find("\nfar   float          23      240 ");
   REQUIRE(far_row != std::string::npos);
-  std::istringstream row(result.out.substr(far_row));
+  std::istringstream row(out.substr(far_row));
   std::string place, scalar;
   int bodies = 0, ticks = 0, asleep = 0, off = 0;
   REQUIRE(row >> place >> scalar >> bodies >> ticks >> asleep >> off);
   CHECK(off > 10);
 }
 
-TEST_CASE("detent demo: a model is shown near and far as well, and q16_16 is right about it") {
-  const Workshop shop;
-  shop.write("hills.obj", hills());
-  const auto result = shop.run("demo --size 64x40 --out pictures --mesh hills.obj");
-  INFO(result.out << result.err);
-  REQUIRE(result.code == 0);
-  CHECK(content_of(shop.path("pictures/mesh.png")).starts_with("\x89PNG"));
-  CHECK(
-      result.out.ends_with("\npicture: pictures/demo.png\npicture: pictures/casts.png\n"
-                           "picture: pictures/bodies.png\npicture: pictures/mesh.png\n"));
-
-  auto table = text_after("\nhills.obj, 800 triangles, 0.5 units long:\n", result.out);
+void check_hills(const std::string& out) {
+  auto table = text_after("\nhills.obj, 800 triangles, 0.5 units long:\n", out);
   for (const std::string place : {"near", "far"}) {
-    check_exact_row(DemoRow(table), place, 64 * 40,
-                    place == "near" ? "0xfc36f9c5451dd822" : "0xa967014c0cf96ab9");
+    check_exact_row(DemoRow(table), place, 96 * 60,
+                    place == "near" ? "0xc11b076d76079dca" : "0xdc2d1a5827d5c63e");
     CHECK(DemoRow(table).scalar == "float");
   }
+}
+
+}  // namespace
+
+TEST_CASE("detent demo: q16_16 is right near and far, about a model too, and float is not") {
+  const Workshop shop;
+  shop.write("hills.obj", hills());
+  const auto result = shop.run("demo --size 96x60 --out pictures --mesh hills.obj");
+  INFO(result.out << result.err);
+  REQUIRE(result.code == 0);
+  check_rays(result.out);
+  check_casts(result.out);
+  check_contacts(result.out);
+  check_bodies(result.out);
+  check_hills(result.out);
+  std::string pictures;
+  for (const std::string name : {"demo", "casts", "bodies", "mesh"}) {
+    CHECK(content_of(shop.path("pictures/" + name + ".png")).starts_with("\x89PNG"));
+    pictures += "picture: pictures/" + name + ".png\n";
+  }
+  CHECK(result.out.ends_with("\n" + pictures));
 }
 
 TEST_CASE("detent demo: a model that cannot be shown is refused with file and line") {
