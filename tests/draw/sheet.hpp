@@ -110,7 +110,7 @@ template <Scalar S>
 S any_number(Random& random) {
   if constexpr (is_fixed<S>) {
     const auto reach = std::int64_t{1} << random.between(3, S::bits - 3);
-    return S::from_raw(static_cast<typename S::raw_type>(random.between(-reach, reach)));
+    return random.number<S>(-reach, reach);
   } else {
     return static_cast<S>(std::ldexp(static_cast<double>(random.between(-65536, 65536)),
                                      static_cast<int>(random.between(-12, 0))));

@@ -46,8 +46,7 @@ TEMPLATE_TEST_CASE("nlerp and slerp: correctly rounded, and within 0.5 + 2^-26 u
   for (int i = 0; i < 3'000; ++i) {
     const auto p = random_quat<S>(random);
     const auto q = random.one_in(4) ? near(random, p) : random_quat<S>(random);
-    const auto t = S::from_raw(static_cast<typename S::raw_type>(
-        random.between(1, std::min<std::int64_t>(S::max().raw(), (1 << S::frac) - 1))));
+    const auto t = random.number<S>(1, std::min<std::int64_t>(S::max().raw(), (1 << S::frac) - 1));
     const bool flipped = dot(p, q) < 0;
     const auto end = flipped ? -q : q;
 

@@ -75,17 +75,12 @@ class Bodies {
 
   Vec<S, N> point(int bits) {
     const auto limit = std::int64_t{1} << std::min(bits, S::bits);
-    return make_vec<N>([&](int) {
-      return S::from_raw(static_cast<typename S::raw_type>(random.between(-limit, limit - 1)));
-    });
+    return make_vec<N>([&](int) { return random.number<S>(-limit, limit - 1); });
   }
 
  private:
   Vec<S, N> offset() { return random.coin() ? Vec<S, N>{} : point(bits_ - 1); }
-  S extent() {
-    return S::from_raw(
-        static_cast<typename S::raw_type>(random.between(0, std::int64_t{1} << (bits_ - 1))));
-  }
+  S extent() { return random.number<S>(0, std::int64_t{1} << (bits_ - 1)); }
 
   int bits_ = 4;
   std::array<std::array<Vec<S, N>, 5>, 2> hulls_{};

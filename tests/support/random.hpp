@@ -36,6 +36,12 @@ class Random {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(low) + offset);
   }
 
+  /// A number whose raw bits are uniform in [low, high].
+  template <class S>
+  constexpr S number(std::int64_t low, std::int64_t high) noexcept {
+    return S::from_raw(static_cast<typename S::raw_type>(between(low, high)));
+  }
+
   constexpr bool coin() noexcept { return (next() >> 63) != 0; }
 
   /// True once in `count` calls.

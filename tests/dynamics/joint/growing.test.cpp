@@ -17,7 +17,7 @@ template <Scalar S>
 Vec<S, 3> draw_vector(Random& random, int bits) {
   return make_vec<3>([&](int) {
     const auto end = std::int64_t{1} << bits;
-    return S::assume_raw(static_cast<typename S::raw_type>(random.between(-end, end - 1)));
+    return random.number<S>(-end, end - 1);
   });
 }
 template <Scalar S>

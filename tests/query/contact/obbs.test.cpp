@@ -32,7 +32,7 @@ template <Scalar S>
 void compare_many(std::int64_t reach, int asked, Count& count) {
   Random random(static_cast<std::uint64_t>(reach));
   const auto number = [&](std::int64_t low, std::int64_t high) {
-    return S::from_raw(static_cast<typename S::raw_type>(random.between(low, high)));
+    return random.number<S>(low, high);
   };
   const auto vector = [&](std::int64_t low, std::int64_t high) {
     return make_vec<3>([&](int) { return number(low, high); });

@@ -14,7 +14,7 @@ class Draw {
   Draw(Random& random, std::int64_t reach) : random_(random), reach_(reach) {}
 
   [[nodiscard]] S number(std::int64_t low, std::int64_t high) {
-    return S::from_raw(static_cast<typename S::raw_type>(random_.between(low, high)));
+    return random_.number<S>(low, high);
   }
   [[nodiscard]] Vec<S, N> vector(std::int64_t low, std::int64_t high) {
     return make_vec<N>([&](int) { return number(low, high); });

@@ -15,7 +15,7 @@ void compare_spheres(std::int64_t reach) {
   HitRate hits;
   int touching = 0;
   const auto number = [&](std::int64_t low, std::int64_t high) {
-    return S::from_raw(static_cast<typename S::raw_type>(random.between(low, high)));
+    return random.number<S>(low, high);
   };
   for (int i = 0; i < 1500; ++i) {
     const auto sphere = [&] {

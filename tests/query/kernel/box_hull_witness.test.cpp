@@ -71,7 +71,7 @@ void compare_some(int bits, int asked, const Turn& turn, Rates& rates) {
   for (int i = 0; i < asked; ++i) {
     CAPTURE(bits, i);
     const auto number = [&](std::int64_t low, std::int64_t high) {
-      return S::from_raw(static_cast<typename S::raw_type>(random.between(low, high)));
+      return random.number<S>(low, high);
     };
     const auto vector = [&](int length) {
       const auto reach = std::int64_t{1} << std::max(length, 1);

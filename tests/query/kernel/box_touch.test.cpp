@@ -105,9 +105,7 @@ TEMPLATE_TEST_CASE("box touch: what it is sure of is exact in 2D", "[query]", q1
   Random random(1);
   for (const int bits : {4, 14, S::bits - 4}) {
     Rates rates;
-    const auto number = [&](std::int64_t reach) {
-      return S::from_raw(static_cast<typename S::raw_type>(random.between(-reach, reach)));
-    };
+    const auto number = [&](std::int64_t reach) { return random.number<S>(-reach, reach); };
     const std::int64_t reach = std::int64_t{1} << bits;
     for (int i = 0; i < 500; ++i) {
       CAPTURE(bits, i);
@@ -141,7 +139,7 @@ TEMPLATE_TEST_CASE("box touch: touches within its error are left to the exact se
   Random random(29);
   Rates near, apart;
   const auto number = [&](std::int64_t low, std::int64_t high) {
-    return S::from_raw(static_cast<typename S::raw_type>(random.between(low, high)));
+    return random.number<S>(low, high);
   };
   for (int i = 0; i < 300; ++i) {
     CAPTURE(i);

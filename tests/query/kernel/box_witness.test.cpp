@@ -75,9 +75,7 @@ void compare_some(int bits, int asked, const Turn& turn, Rates& rates) {
     const auto box = [&](const Rotation<S, 3>& rotation) {
       const auto half = make_vec<3>([&](int) { return random_length<S>(random, bits - 2); });
       const auto reach = std::int64_t{1} << (random.one_in(8) ? bits : std::max(bits - 4, 1));
-      const auto center = make_vec<3>([&](int) {
-        return S::from_raw(static_cast<typename S::raw_type>(random.between(-reach, reach - 1)));
-      });
+      const auto center = make_vec<3>([&](int) { return random.number<S>(-reach, reach - 1); });
       return Obb<S, 3>{center, half, rotation};
     };
     const auto rotation = turn(random);

@@ -25,7 +25,7 @@ class BoxesAndSegments {
   BoxesAndSegments(Random& random, int bits) : random_(random), reach_(std::int64_t{1} << bits) {}
 
   [[nodiscard]] S number(std::int64_t low, std::int64_t high) {
-    return S::from_raw(static_cast<typename S::raw_type>(random_.between(low, high)));
+    return random_.number<S>(low, high);
   }
   [[nodiscard]] Vec<S, 3> vector(std::int64_t reach) {
     return make_vec<3>([&](int) { return number(-reach, reach - 1); });

@@ -13,9 +13,7 @@ TEMPLATE_TEST_CASE("line filter: rejects exactly the triangles that the line mis
   using S = TestType;
   Random random(0x9a55);
   const auto point = [&](int size) {
-    return make_vec<3>([&](int) {
-      return S::from_raw(static_cast<typename S::raw_type>(random.between(-size, size)));
-    });
+    return make_vec<3>([&](int) { return random.number<S>(-size, size); });
   };
   int met = 0, missed = 0, seen_from_edge = 0;
   for (int i = 0; i < 20'000; ++i) {

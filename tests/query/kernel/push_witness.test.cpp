@@ -138,9 +138,7 @@ void compare_flat(std::int64_t reach, int asked, Count& count) {
   for (int i = 0; i < asked; ++i) {
     std::array<Vec<S, 3>, 5> p;
     for (auto& corner : p) {
-      corner = make_vec<3>([&](int) {
-        return S::assume_raw(static_cast<typename S::raw_type>(random.between(-reach, reach)));
-      });
+      corner = make_vec<3>([&](int) { return random.number<S>(-reach, reach); });
     }
     CAPTURE(reach, i, p);
     const detail::HullBody triangle(std::array{p[0], p[1], p[2]});
@@ -199,9 +197,7 @@ void compare_near_ties(std::int64_t reach, std::int64_t unit, int asked, Count& 
 template <Scalar S>
 void compare_near_touches(std::int64_t reach, int asked, Count& count) {
   Random random(static_cast<std::uint64_t>(reach + asked));
-  const auto number = [&](std::int64_t limit) {
-    return S::from_raw(static_cast<typename S::raw_type>(random.between(-limit, limit)));
-  };
+  const auto number = [&](std::int64_t limit) { return random.number<S>(-limit, limit); };
   const auto point = [&] { return make_vec<3>([&](int) { return number(reach); }); };
   for (int i = 0; i < asked; ++i) {
     CAPTURE(reach, i);

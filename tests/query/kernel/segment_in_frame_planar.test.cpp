@@ -20,7 +20,7 @@ struct Rates {
 template <Scalar S>
 Obb<S, 2> draw_box(Random& random, std::int64_t reach, Turning turning) {
   const auto number = [&](std::int64_t low, std::int64_t high) {
-    return S::from_raw(static_cast<typename S::raw_type>(random.between(low, high)));
+    return random.number<S>(low, high);
   };
   const auto turn = [&](std::uint64_t most) {
     return Rotation<S, 2>::from_angle(
@@ -46,7 +46,7 @@ void compare_some(int bits, int asked, Turning turning, Rates& rates) {
   INFO(random);
   const auto reach = std::int64_t{1} << bits;
   const auto number = [&](std::int64_t low, std::int64_t high) {
-    return S::from_raw(static_cast<typename S::raw_type>(random.between(low, high)));
+    return random.number<S>(low, high);
   };
   const auto point = [&] {
     return Vec<S, 2>{number(-reach, reach - 1), number(-reach, reach - 1)};

@@ -73,8 +73,7 @@ void compare_many(std::int64_t reach, std::int64_t grid, bool flat, int asked, C
     compare(std::array{p, q, r}, std::array{u, v}, *direction, radius, limit, count);
     compare(std::array{p, q, r}, std::array{u, v, w}, *direction, radius, limit, count);
     // Nearly parallel edges, and equal corners.
-    const auto step = make_vec<3>(
-        [&](int) { return S::from_raw(static_cast<typename S::raw_type>(random.between(-1, 1))); });
+    const auto step = make_vec<3>([&](int) { return random.number<S>(-1, 1); });
     const auto beside = nearest_to<S>(u + (q - p) + step);
     compare(std::array{p, q}, std::array{u, beside}, *direction, radius, limit, count);
     compare(std::array{p, q}, std::array{u, beside, v}, *direction, radius, limit, count);

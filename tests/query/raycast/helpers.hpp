@@ -219,9 +219,7 @@ void check_symmetry_of_boxes(std::uint64_t seed, int bits, double spread, bool e
   for (int i = 0; i < 2000; ++i) {
     const auto center = random_point<S, N>(random);
     const auto reach = std::int64_t{1} << random.between(2, bits);
-    const auto half = make_vec<N>([&](int) {
-      return S::from_raw(static_cast<typename S::raw_type>(random.between(reach / 2, reach)));
-    });
+    const auto half = make_vec<N>([&](int) { return random.number<S>(reach / 2, reach); });
     const auto box = box_of(random, center, half);
     const auto origin = random_point<S, N>(random);
     const auto around = static_cast<std::int64_t>(spread * static_cast<double>(reach));

@@ -187,9 +187,7 @@ TEMPLATE_TEST_CASE("ray against OBB: without a rotation it is an AABB", "[raycas
   for (int i = 0; i < 2000; ++i) {
     const auto center = random_point<S, N>(random);
     const auto reach = std::int64_t{1} << random.between(2, S::bits - 2);
-    const auto half = make_vec<N>([&](int) {
-      return S::from_raw(static_cast<typename S::raw_type>(random.between(-reach / 64, reach)));
-    });
+    const auto half = make_vec<N>([&](int) { return random.number<S>(-reach / 64, reach); });
     const auto origin = random_point<S, N>(random);
     const Ray<S, N> ray{origin, aimed(origin, random_near(random, center, reach))};
     const Aabb<S, N> same{nearest_to<S>(center - half), nearest_to<S>(center + half)};

@@ -151,9 +151,8 @@ TEMPLATE_TEST_CASE("ray against plane: results do not depend on the frame", "[ra
   HitRate rate;
   for (int i = 0; i < 2000; ++i) {
     const auto reach = std::int64_t{1} << random.between(4, S::bits - 1);
-    const Plane<S, N> plane{
-        aimed(Vec<S, N>(), random_point<S, N>(random)),
-        S::from_raw(static_cast<typename S::raw_type>(random.between(-reach, reach)))};
+    const Plane<S, N> plane{aimed(Vec<S, N>(), random_point<S, N>(random)),
+                            random.number<S>(-reach, reach)};
     const auto origin = random_near(random, Vec<S, N>(), reach);
     const Ray<S, N> ray{origin, aimed(origin, random_near(random, Vec<S, N>(), reach))};
     rate.count(raycast(ray, plane).has_value());

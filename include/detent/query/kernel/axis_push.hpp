@@ -12,6 +12,7 @@
 #include "detent/query/kernel/axis_filter.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/expansion.hpp"
+#include "detent/query/kernel/for_each_two.hpp"
 
 namespace detent::detail {
 
@@ -125,22 +126,11 @@ class AxisPush {
       const auto across = [&](const auto& e, const auto& g) {
         if (wants(i++)) f(axis_of(e, g));
       };
-      for_each_pair(a_, across);
-      for_each_pair(b_, across);
+      for_each_two([&](const auto& g) { a_.for_each_edge(g); }, across);
+      for_each_two([&](const auto& g) { b_.for_each_edge(g); }, across);
       a_.for_each_edge(
           [&](const auto& e) { b_.for_each_edge([&](const auto& g) { across(e, g); }); });
     }
-  }
-  template <class Body, class F>
-  static constexpr void for_each_pair(const Body& body, const F& f) noexcept {
-    int i = 0;
-    body.for_each_edge([&](const auto& e) {
-      int j = 0;
-      body.for_each_edge([&](const auto& g) {
-        if (j++ < i) f(e, g);
-      });
-      ++i;
-    });
   }
 
   template <Number V>

@@ -6,6 +6,7 @@
 
 #include "detent/math/components.hpp"
 #include "detent/number/rounding.hpp"
+#include "detent/query/kernel/for_each_two.hpp"
 
 // The overlap of two flat, parallel features of polytopes: its point with the least x, then y, then
 // z.
@@ -239,14 +240,7 @@ class CommonPointOfPlanes {
 
   template <class Feature, class F>
   static constexpr void for_each_segment(const Feature& feature, const F& f) noexcept {
-    int i = 0;
-    feature.for_each([&](const auto& from) {
-      int j = 0;
-      feature.for_each([&](const auto& to) {
-        if (j++ < i) f(from, to);
-      });
-      ++i;
-    });
+    for_each_two([&](const auto& g) { feature.for_each(g); }, f);
   }
 
   const A& a_;
