@@ -34,5 +34,6 @@
 #include "detent/version.hpp"
 
 // For the headers alone.
+#undef DETENT_CONSTEVAL
 #undef DETENT_INLINE_TINY
 #undef DETENT_INLINE_WHEN_SHORT

@@ -146,6 +146,30 @@ int surfaces(const Numbers<q16_16>& numbers) {
   return static_cast<int>(count);
 }
 
+/// A wheel with its center left of the origin, and one of several parts.
+struct Wheel {
+  Vec<q16_16, 2> center{-6_q16_16, 0.5_q16_16};
+  q16_16 radius = 1_q16_16;
+};
+
+/// Bodies of every kind fall for a tick.
+int fall(const Wheel& wheel) {
+  const Sphere disk{wheel.center, wheel.radius};
+  const std::array corners{wheel.center, Vec{1_q16_16, 0_q16_16}, Vec{0_q16_16, 1_q16_16}};
+  const auto hull = solid_hull(1, ConvexHull{corners});
+  const std::array parts{BodyPart{disk}, BodyPart{Sphere{corners[1], 1_q16_16}}};
+  const auto compound = solid_compound(2, parts);
+  if (!hull || !compound) return 1;
+  World<q16_16, 2, Sphere, BodyHull, BodyCompound> world;
+  const auto ball = world.add(disk);
+  world.add(BodyHull{&*hull});
+  world.add(BodyCompound{&*compound, {2_q16_16, 0_q16_16}, {}});
+  world.step();
+  int touches = 0;
+  world.for_each_contact([&](const auto&) { ++touches; });
+  return touches + (ball && world.velocity(*ball) == Vec<q16_16, 2>{} ? 1 : 0);
+}
+
 /// Counts the draw calls.
 struct Paper {
   int marks = 0;
@@ -196,7 +220,8 @@ int main(int argc, char** argv) {
   Numbers<q16_16> numbers{{*x, 1_q16_16, 2_q16_16}, *forward, Angle<q16_16>::from_degrees(*x)};
   numbers.point += numbers.forward.vec() * *x;
   const Numbers<float> rough{{static_cast<float>(argc), 1, 2}, Direction<float, 3>::along(0), {}};
-  int sum = numbers.queries() + numbers.flat() + numbers.motions() + numbers.view() + rough.flat();
+  int sum = fall({}) + numbers.queries() + numbers.flat() + numbers.motions() + numbers.view() +
+            rough.flat();
 
   BoundedScene<Bounded<16>, q16_16, 3, Sphere> bounded;
   BoundedScene<Bounded<16, 2>, q16_16, 3, Sphere, Obb, Capsule> framed;

@@ -207,6 +207,9 @@ struct BodyCompound {
 };
 
 template <Scalar S, int N>
+BodyCompound(const SolidCompound<S, N>*, Vec<S, N> = {}, Rotation<S, N> = {}) -> BodyCompound<S, N>;
+
+template <Scalar S, int N>
 inline constexpr detail::AssetNames detail::asset_names<BodyCompound<S, N>>{"compound",
                                                                             "digest of its parts"};
 

@@ -88,6 +88,9 @@ struct BodyHull {
 };
 
 template <Scalar S, int N>
+BodyHull(const SolidHull<S, N>*, Vec<S, N> = {}, Rotation<S, N> = {}) -> BodyHull<S, N>;
+
+template <Scalar S, int N>
 inline constexpr detail::AssetNames detail::asset_names<BodyHull<S, N>>{"hull",
                                                                         "digest of its points"};
 

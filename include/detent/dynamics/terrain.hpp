@@ -30,6 +30,9 @@ struct BodyMesh {
                                                  const BodyMesh&) noexcept = default;
 };
 
+template <Scalar S>
+BodyMesh(const MeshAsset<S>*, Vec<S, 3> = {}, Rotation<S, 3> = {}) -> BodyMesh<S, 3>;
+
 /// A body that is terrain, in 3D: the height field `asset`, moved by `translation`, with the same
 /// limits as `BodyMesh`. Everything below its surface is solid: a body that reaches it from below
 /// is pushed out above.
@@ -43,6 +46,9 @@ struct BodyHeightField {
   [[nodiscard]] friend constexpr bool operator==(const BodyHeightField&,
                                                  const BodyHeightField&) noexcept = default;
 };
+
+template <Scalar S>
+BodyHeightField(const FieldAsset<S>*, Vec<S, 3> = {}) -> BodyHeightField<S, 3>;
 
 namespace detail {
 

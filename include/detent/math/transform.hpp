@@ -21,6 +21,11 @@ struct Transform {
                                                  const Transform&) noexcept = default;
 };
 
+template <Scalar S, int N>
+Transform(Vec<S, N>, Rotation<S, N>) -> Transform<S, N>;
+template <Scalar S, int N>
+Transform(Vec<S, N>, Rotation<S, N>, S) -> Transform<S, N>;
+
 /// Appends to a digest: translation, rotation, scale.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const Transform<S, N>& transform) noexcept {

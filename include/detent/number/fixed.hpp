@@ -83,6 +83,13 @@ known_integer_is_out_of_range() noexcept;
 #define DETENT_REFUSE_IF(condition, reason)
 #endif
 
+/// clang 16, which Apple numbers 15, refuses consteval functions in the initializer of a member.
+#if defined(__clang__) && (__clang_major__ == 15 || __clang_major__ == 16)
+#define DETENT_CONSTEVAL constexpr
+#else
+#define DETENT_CONSTEVAL consteval
+#endif
+
 /// The number raw * 2^-Frac. The type carries a bound on its magnitude: |raw| <= 2^Bits.
 ///
 /// Sums, differences and products are exact: the result type has the bits they need, and a result
@@ -280,7 +287,7 @@ template <int B, int F>
 /// The negative of a literal: -1_q16_16 is a q16_16 too. Literals are `const` values to select this
 /// overload. It compiles only for constants whose negative is in range.
 template <int B, int F>
-[[nodiscard]] consteval Fixed<B, F> operator-(const Fixed<B, F>&& x) {
+[[nodiscard]] DETENT_CONSTEVAL Fixed<B, F> operator-(const Fixed<B, F>&& x) {
   if (x == Fixed<B, F>::lowest() && detail::fills_container(B)) {
     detail::this_integer_is_out_of_range();
   }

@@ -50,7 +50,8 @@ struct only_the_negative_of_this_literal_is_in_range {
 template <class T>
 inline constexpr only_the_negative_of_this_literal_is_in_range<T> needs_a_minus_sign;
 template <class T>
-[[nodiscard]] consteval T operator-(const only_the_negative_of_this_literal_is_in_range<T>&) {
+[[nodiscard]] DETENT_CONSTEVAL T
+operator-(const only_the_negative_of_this_literal_is_in_range<T>&) {
   return T::lowest();
 }
 
