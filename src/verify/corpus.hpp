@@ -144,7 +144,8 @@ using SurfaceDistances =
 using CompoundDistances = NamedPart<"CompoundDistances", TargetDistances<CompoundKind>>;
 using SurfaceContacts =
     LargePart<"SurfaceContacts", TargetContacts<MeshKind>, TargetContacts<FieldKind>>;
-using SurfaceCasts = LargePart<"SurfaceCasts", TargetCasts<MeshKind>, TargetCasts<FieldKind>>;
+using MeshCasts = LargePart<"MeshCasts", TargetCasts<MeshKind>>;
+using FieldCasts = LargePart<"FieldCasts", TargetCasts<FieldKind>>;
 using BoxImpacts = LargePart<"BoxImpacts", Impacts<ObbKind, ObbKind>>;
 using Characters = LargePart<"Characters", Walks>;
 using ScenePairs = NamedPart<"ScenePairs", SceneEvents>;
@@ -196,7 +197,7 @@ using Pairs = NamedVolume<"Pairs", MoreDistances, SpherePairPoints, CapsulePairP
                           CapsuleContacts, BoxContacts, FlatContacts, HullContacts, PlaneContacts,
                           SurfaceDistances, CompoundDistances, SurfaceContacts>;
 using Movements = NamedVolume<"Movements", SphereCasts, CapsuleCasts, FlatCasts, AabbCasts,
-                              ObbCasts, HullCasts, SurfaceCasts>;
+                              ObbCasts, HullCasts, MeshCasts, FieldCasts>;
 using Bodies =
     NamedVolume<"Bodies", BoxImpacts, Characters, ScenePairs, MovingCapsules, FlatCharacters>;
 using Worlds = NamedVolume<"Worlds", FallingBodies, JoinedBodies, SolidBodies>;
