@@ -116,6 +116,7 @@ using SceneAnswers = NamedPart<"SceneAnswers", SceneQuestions>;
 using SceneContacts = NamedPart<"SceneContacts", SceneMeetings>;
 using Snapshots = NamedPart<"Snapshots", SceneRecords>;
 using Sights = NamedPart<"Sights", Views>;
+using OrbitSights = NamedPart<"OrbitSights", SceneViews>;
 using PairDistances =
     NamedPart<"PairDistances", Distances<CapsuleKind, ObbKind>, Distances<HullKind, HullKind>>;
 using MoreDistances = NamedPart<"MoreDistances", Distances<SphereKind, TriangleKind>,
@@ -138,9 +139,18 @@ using FlatCasts = LargePart<"FlatCasts", Casts<ObbKind, CapsuleKind, 2>>;
 using AabbCasts = LargePart<"AabbCasts", Casts<AabbKind, AabbKind, 3>>;
 using ObbCasts = LargePart<"ObbCasts", Casts<ObbKind, ObbKind, 3>>;
 using HullCasts = LargePart<"HullCasts", Casts<HullKind, HullKind, 3>>;
+using SurfaceDistances =
+    NamedPart<"SurfaceDistances", TargetDistances<MeshKind>, TargetDistances<FieldKind>>;
+using CompoundDistances = NamedPart<"CompoundDistances", TargetDistances<CompoundKind>>;
+using SurfaceContacts =
+    LargePart<"SurfaceContacts", TargetContacts<MeshKind>, TargetContacts<FieldKind>>;
+using MeshCasts = LargePart<"MeshCasts", TargetCasts<MeshKind>>;
+using FieldCasts = LargePart<"FieldCasts", TargetCasts<FieldKind>>;
 using BoxImpacts = LargePart<"BoxImpacts", Impacts<ObbKind, ObbKind>>;
 using Characters = LargePart<"Characters", Walks>;
 using ScenePairs = NamedPart<"ScenePairs", SceneEvents>;
+using MovingCapsules = LargePart<"MovingCapsules", SceneCasts>;
+using FlatCharacters = LargePart<"FlatCharacters", FlatWalks>;
 using FallingBodies = LargePart<"FallingBodies", Piles>;
 using JoinedBodies = LargePart<"JoinedBodies", Linkages>;
 using SolidBodies = LargePart<"SolidBodies", Solids>;
@@ -177,17 +187,19 @@ struct NamedVolume {
 };
 
 /// The corpus in five programs, for compilers that cannot take it in one.
-using Basics =
-    NamedVolume<"Basics", SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints,
-                LinePoints, SphereOverlaps, AabbOverlaps, ObbOverlaps, FlatOverlaps, Intersections,
-                Hulls, HullOverlaps, HullMeetings, Turns, Arithmetic, Moves, Extents, MeshAnswers,
-                FieldAnswers, SceneAnswers, SceneContacts, Snapshots, Sights, PairDistances>;
+using Basics = NamedVolume<"Basics", SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints,
+                           FlatPoints, LinePoints, SphereOverlaps, AabbOverlaps, ObbOverlaps,
+                           FlatOverlaps, Intersections, Hulls, HullOverlaps, HullMeetings, Turns,
+                           Arithmetic, Moves, Extents, MeshAnswers, FieldAnswers, SceneAnswers,
+                           SceneContacts, Snapshots, Sights, PairDistances, OrbitSights>;
 using Pairs = NamedVolume<"Pairs", MoreDistances, SpherePairPoints, CapsulePairPoints,
                           TrianglePairPoints, HullPairPoints, BoxPairPoints, SphereContacts,
-                          CapsuleContacts, BoxContacts, FlatContacts, HullContacts, PlaneContacts>;
-using Movements =
-    NamedVolume<"Movements", SphereCasts, CapsuleCasts, FlatCasts, AabbCasts, ObbCasts, HullCasts>;
-using Bodies = NamedVolume<"Bodies", BoxImpacts, Characters, ScenePairs>;
+                          CapsuleContacts, BoxContacts, FlatContacts, HullContacts, PlaneContacts,
+                          SurfaceDistances, CompoundDistances, SurfaceContacts>;
+using Movements = NamedVolume<"Movements", SphereCasts, CapsuleCasts, FlatCasts, AabbCasts,
+                              ObbCasts, HullCasts, MeshCasts, FieldCasts>;
+using Bodies =
+    NamedVolume<"Bodies", BoxImpacts, Characters, ScenePairs, MovingCapsules, FlatCharacters>;
 using Worlds = NamedVolume<"Worlds", FallingBodies, JoinedBodies, SolidBodies>;
 using Volumes = List<Basics, Pairs, Movements, Bodies, Worlds>;
 

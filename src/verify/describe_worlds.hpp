@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <string>
+#include <utility>
 
 #include "verify/describe.hpp"
 
@@ -66,14 +68,70 @@ Fields fields_of(const WalkCase<S, N>& c) {
   }
   return fields;
 }
+template <class Shape, std::size_t Extent>
+void add_numbered(Fields& fields, std::span<const Shape, Extent> shapes) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    Fields own;
+    add_fields(own, shapes[i]);
+    for (auto& [name, value] : own) {
+      fields.emplace_back(std::to_string(i) + ": " + name, std::move(value));
+    }
+  }
+}
+template <Scalar S>
+void add_fields(Fields& fields, const MeshTriangles<S>& mesh) {
+  add_numbered(fields, std::span(mesh.triangles).first(mesh.count));
+}
+template <Scalar S>
+void add_fields(Fields& fields, const FieldSamples<S>& field) {
+  fields.emplace_back("field corner", words(field.corner));
+  fields.emplace_back("field cell", words(field.cell));
+  for (std::size_t row = 0; row < field.rows; ++row) {
+    std::string heights;
+    for (std::size_t column = 0; column < field.columns; ++column) {
+      heights += (column == 0 ? "" : ", ") + words(field.heights[row * field.columns + column]);
+    }
+    fields.emplace_back("heights, row " + std::to_string(row), heights);
+  }
+}
+template <Scalar S, int N>
+void add_fields(Fields& fields, const CompoundParts<S, N>& parts) {
+  add_numbered(fields, std::span(parts.spheres).first(parts.sphere_count));
+  add_numbered(fields, std::span(parts.triangles).first(parts.triangle_count));
+}
+template <class Shape>
+void add_fields(Fields& fields, const Cast<Shape>& moving) {
+  add_fields(fields, moving.shape);
+  fields.emplace_back("direction", words(moving.direction));
+  fields.emplace_back("max_distance", words(moving.max_distance));
+}
+template <Scalar S>
+std::string words(const MeshContacts<S>& list) {
+  std::string text = std::to_string(list.count);
+  for (const auto& item : list.kept()) {
+    text += "; triangle " + std::to_string(item.triangle) + ", " + words(item.contact);
+  }
+  return text;
+}
+
+template <Scalar S, int N, class Target, class Shape>
+Fields fields_of(const TargetCase<S, N, Target, Shape>& c) {
+  Fields fields;
+  add_fields(fields, c.target);
+  add_fields(fields, c.shape);
+  return fields;
+}
+template <Scalar S, int N, class Target>
+Fields fields_of(const TargetCastCase<S, N, Target>& c) {
+  Fields fields;
+  add_fields(fields, c.target);
+  add_fields(fields, c.moving);
+  return fields;
+}
 template <Scalar S, int N>
 Fields fields_of(const MeshCase<S, N>& c) {
   Fields fields;
-  for (std::size_t i = 0; i < c.mesh.count; ++i) {
-    const auto& triangle = c.mesh.triangles[i];
-    fields.emplace_back("triangle " + std::to_string(i),
-                        words(triangle.a) + ", " + words(triangle.b) + ", " + words(triangle.c));
-  }
+  add_fields(fields, c.mesh);
   add_fields(fields, c.ray);
   fields.emplace_back("point", words(c.point));
   add_fields(fields, c.segment);
@@ -83,14 +141,8 @@ Fields fields_of(const MeshCase<S, N>& c) {
 }
 template <Scalar S, int N>
 Fields fields_of(const FieldCase<S, N>& c) {
-  Fields fields{{"field corner", words(c.field.corner)}, {"field cell", words(c.field.cell)}};
-  for (std::size_t row = 0; row < c.field.rows; ++row) {
-    std::string heights;
-    for (std::size_t column = 0; column < c.field.columns; ++column) {
-      heights += (column == 0 ? "" : ", ") + words(c.field.heights[row * c.field.columns + column]);
-    }
-    fields.emplace_back("heights, row " + std::to_string(row), heights);
-  }
+  Fields fields;
+  add_fields(fields, c.field);
   add_fields(fields, c.ray);
   fields.emplace_back("point", words(c.point));
   add_fields(fields, c.aabb);
@@ -145,6 +197,41 @@ Fields fields_of(const SceneCase<S, N>& c) {
   fields.emplace_back("layers asked", std::to_string(c.mask));
   add_fields(fields, c.ray);
   fields.emplace_back("point", words(c.point));
+  return fields;
+}
+template <Scalar S, int N>
+Fields fields_of(const SceneCastCase<S, N>& c) {
+  Fields fields;
+  add_numbered(fields, std::span(c.boxes));
+  fields.emplace_back("layers", words(c.layers));
+  fields.emplace_back("fixed, as bits", words(c.fixed));
+  fields.emplace_back("layers asked", words(c.mask));
+  add_fields(fields, c.moving);
+  return fields;
+}
+template <Scalar S, int N>
+Fields fields_of(const OrbitCase<S, N>& c) {
+  Fields fields;
+  add_fields(fields, c.history);
+  const auto say = [&](const char* name, const auto& value) {
+    fields.emplace_back(name, words(value));
+  };
+  say("layers asked", c.mask);
+  say("fov", c.fov);
+  say("aspect", c.aspect);
+  say("near_distance", c.near_distance);
+  say("far_distance", c.far_distance);
+  say("target", c.target);
+  say("distance", c.distance);
+  say("yaw", c.yaw);
+  say("pitch", c.pitch);
+  say("min_distance", c.min_distance);
+  say("max_distance", c.max_distance);
+  say("rotate yaw", c.yaw_step);
+  say("rotate pitch", c.pitch_step);
+  say("zoom", c.factor);
+  say("pan right", c.right);
+  say("pan up", c.up);
   return fields;
 }
 template <Scalar S, int N>

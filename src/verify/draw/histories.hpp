@@ -103,6 +103,12 @@ class HistoryScene : public ShapeScene<S, N> {
     if (random.coin()) Base::wander();
   }
 
+  /// A length from `low` to `high` sixteenths of the scene's scale.
+  constexpr S length(std::int64_t low, std::int64_t high) noexcept {
+    const auto step = Base::reach_;
+    return Base::scalar(random.between(step * low / 16, step * high / 16));
+  }
+
  private:
   constexpr std::uint32_t layers() noexcept {
     return static_cast<std::uint32_t>(random.between(1, 7));

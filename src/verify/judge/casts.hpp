@@ -11,6 +11,33 @@
 
 namespace detent::verify::judge {
 
+/// The distance that a shape moves before it touches the target, rounded down; nothing if it does
+/// not within `limit`.
+template <Scalar S, int N>
+std::optional<S> distance_along(const oracle::Travel<N>& travel, const S& limit) {
+  const auto is_apart = [&](const Integer& time, const Integer& under) {
+    return *oracle::clearance(travel, 0, time, under) > 0;
+  };
+  if (limit < 0 || !oracle::clearance(travel, 0, 0, 1)) return std::nullopt;
+  if (is_apart(oracle::raw(limit), 1)) return std::nullopt;
+  if (!is_apart(0, 1)) return S(0);
+  // The last number of units after which they are still apart.
+  Integer low = 0, high = oracle::raw(limit);
+  while (high - low > 1) {
+    const Integer middle = (low + high) / 2;
+    (is_apart(middle, 1) ? low : high) = middle;
+  }
+  // They touch before or at the next one.
+  const Integer parts = Integer(1) << 60u;
+  return clamped<S>(is_apart(high * parts - 1, parts) ? high : low);
+}
+template <class Shape, class Target>
+std::optional<typename Cast<Shape>::S> distance_along(const Cast<Shape>& moving,
+                                                      const Target& target) {
+  return distance_along(oracle::travel_of(moving.shape, moving.direction, target),
+                        moving.max_distance);
+}
+
 /// Hit or miss and the distance are exact; normal and point are judged within their bounds.
 template <int Row, Scalar S, int N, class First, class Second>
 std::optional<Wrong> judge(const CastCase<S, N, First, Second>& c,

@@ -250,25 +250,39 @@ std::string snapshot_of(const PlainScene<S, N>& scene) {
   return bytes + end.taken().bytes;
 }
 
-/// All objects that share a point with the query shape, as `Scene::all` defines.
-template <Scalar S, int N, class Question>
-std::vector<Found<S>> all_of(const PlainScene<S, N>& scene, const Question& question,
-                             std::uint32_t mask) {
+/// All objects with a distance_of(shape), as `Scene::all` defines.
+template <Scalar S, int N, class DistanceOf>
+std::vector<Found<S>> all_with(const PlainScene<S, N>& scene, std::uint32_t mask,
+                               const DistanceOf& distance_of) {
   std::vector<Found<S>> all;
   scene.visit([&](const ObjectId& id, const auto& object, const auto& shape) {
     if ((object.traits.layers & mask) == 0) return;
-    if constexpr (std::same_as<Question, Sphere<S, N>>) {
-      if (!oracle::meet(in_raw_units<S>(question), in_raw_units<S>(shape))) return;
-      const auto from = in_raw_units<S>(question.center);
-      all.push_back({distance_to<S>(oracle::nearest(in_raw_units<S>(shape), from)), id});
-    } else {
-      const auto expected =
-          oracle::expected_raycast(in_raw_units<S>(question), in_raw_units<S>(shape));
-      if (expected.hit) all.push_back({clamped<S>(expected.hit->enter), id});
-    }
+    if (const std::optional<S> distance = distance_of(shape)) all.push_back({*distance, id});
   });
   std::sort(all.begin(), all.end());
   return all;
+}
+/// The distance of a point from a shape that shares a point with `question`.
+template <Scalar S, int N, class Shape>
+std::optional<S> distance_if_met(const oracle::Solid<N>& question, const Vec<S, N>& point,
+                                 const Shape& shape) {
+  if (!oracle::meet(question, oracle::exact(in_raw_units<S>(shape)))) return std::nullopt;
+  return distance_to<S>(oracle::nearest(in_raw_units<S>(shape), in_raw_units<S>(point)));
+}
+template <Scalar S, int N>
+std::vector<Found<S>> all_of(const PlainScene<S, N>& scene, const Sphere<S, N>& sphere,
+                             std::uint32_t mask) {
+  const auto solid = oracle::exact(sphere);
+  return all_with(scene, mask,
+                  [&](const auto& shape) { return distance_if_met(solid, sphere.center, shape); });
+}
+template <Scalar S, int N>
+std::vector<Found<S>> all_of(const PlainScene<S, N>& scene, const Ray<S, N>& ray,
+                             std::uint32_t mask) {
+  return all_with(scene, mask, [&](const auto& shape) {
+    const auto expected = oracle::expected_raycast(in_raw_units<S>(ray), in_raw_units<S>(shape));
+    return expected.hit ? std::optional(clamped<S>(expected.hit->enter)) : std::nullopt;
+  });
 }
 
 /// The object nearest to a point; empty shapes are skipped.

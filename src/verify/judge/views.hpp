@@ -47,6 +47,15 @@ struct View {
     }
     return result;
   }
+  [[nodiscard]] typename Frustum<S>::Corners corners() const {
+    const Integer one = Integer(1) << static_cast<unsigned>(S::frac);
+    typename Frustum<S>::Corners corners;
+    for (std::size_t i = 0; i < 8; ++i) {
+      corners[i] = point((i & 1) != 0 ? one : Integer(-one), (i & 2) != 0 ? one : Integer(-one),
+                         (i & 4) != 0 ? far_raw : near_raw);
+    }
+    return corners;
+  }
 };
 
 template <Scalar S, int N>
@@ -126,13 +135,7 @@ std::optional<Wrong> judge(const ViewCase<S, N>& c, const Answer& got) {
     const auto direction = direction_along<S>(view->offset(x, y, Integer(1)));
     return compare(Answer({c.pose.translation, direction.value_or(ahead)}), got);
   } else {
-    const Integer one = Integer(1) << static_cast<unsigned>(S::frac);
-    typename Frustum<S>::Corners corners;
-    for (std::size_t i = 0; i < 8; ++i) {
-      corners[i] =
-          view->point((i & 1) != 0 ? one : Integer(-one), (i & 2) != 0 ? one : Integer(-one),
-                      (i & 4) != 0 ? view->far_raw : view->near_raw);
-    }
+    const auto corners = view->corners();
     if constexpr (Row == 3) {
       return compare(Answer(corners), got);
     } else {

@@ -51,6 +51,13 @@ struct Casts : PairGroup<Dimensions...> {
   }
 };
 
+/// A shape that moves towards the spot or past it.
+template <template <Scalar, int> class Shape, Scalar S, int N>
+constexpr Cast<Shape<S, N>> drawn_cast(ShapeScene<S, N>& scene) noexcept {
+  const auto way = scene.retreat();
+  return {scene.draw(Type<Shape<S, N>>()), way.direction, way.max_distance};
+}
+
 template <Scalar S, int N, class First, class Second>
 struct ImpactCase {
   First a;

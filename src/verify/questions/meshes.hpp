@@ -134,7 +134,14 @@ struct FieldCase {
   constexpr auto fields(const auto& f) const noexcept { return f(field, ray, point, aabb); }
 };
 
-/// Invalid samples make a field without triangles.
+/// The field with these samples; invalid ones make a field without triangles.
+template <Scalar S>
+[[nodiscard]] constexpr HeightField<S> view_of(const FieldSamples<S>& field) noexcept {
+  const auto samples = std::span(field.heights).first(std::size_t{field.columns} * field.rows);
+  return height_field<S>(field.corner, field.cell, field.columns, field.rows, samples)
+      .value_or(HeightField<S>());
+}
+
 struct HeightFields : SurfaceGroup {
   static constexpr std::array<std::string_view, 4> names{
       "height_field/raycast_nearest", "height_field/raycast_all", "height_field/overlaps/aabb",
@@ -152,11 +159,7 @@ struct HeightFields : SurfaceGroup {
   }
   template <int Row, Scalar S, int N>
   [[nodiscard]] static constexpr auto answer(const FieldCase<S, N>& c) noexcept {
-    const auto samples =
-        std::span(c.field.heights).first(std::size_t{c.field.columns} * c.field.rows);
-    const auto field =
-        height_field<S>(c.field.corner, c.field.cell, c.field.columns, c.field.rows, samples)
-            .value_or(HeightField<S>());
+    const auto field = view_of(c.field);
     if constexpr (Row == 0) {
       return raycast_nearest(c.ray, field);
     } else if constexpr (Row == 1) {

@@ -40,6 +40,9 @@ struct Place {
   }
 };
 
+template <Scalar S, int N>
+using BoxScene = BoundedScene<Bounded<5, 1>, S, N, Aabb>;
+
 /// A capsule that moves a few times, each time after the lift has moved.
 template <Scalar S, int N>
 struct WalkCase {
@@ -119,9 +122,8 @@ struct Walks : InDimensions<3> {
 
   template <int Row, Scalar S, int N>
   [[nodiscard]] static constexpr auto answer(const WalkCase<S, N>& c) noexcept {
-    using World = BoundedScene<Bounded<5, 1>, S, N, Aabb>;
     using Here = Place<S, N>;
-    World world;
+    BoxScene<S, N> world;
     world.add(Here::ground(), Traits{.motion = Motion::fixed});
     world.add(Here::step());
     world.add(Here::next_step());
@@ -137,6 +139,13 @@ struct Walks : InDimensions<3> {
     }
     return walked;
   }
+};
+
+/// The same in the plane.
+struct FlatWalks : Walks {
+  static constexpr std::array<std::string_view, 1> names{"mover/move/2d"};
+  template <int N>
+  static constexpr bool asks = N == 2;
 };
 
 }  // namespace detent::verify
