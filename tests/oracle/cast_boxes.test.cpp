@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "oracle/cast_exam.hpp"
+#include "query/cast/shapes.hpp"
 
 namespace detent::oracle {
 namespace {
@@ -19,6 +20,11 @@ TEST_CASE("cast of boxes: every answer is exact", "[oracle]") {
 
 TEST_CASE("cast of boxes: many more answers are exact", "[oracle][.demand]") {
   for (const auto seed : demanded_seeds()) examine_boxes<q16_16, 3>(seed, 100);
+}
+
+// Examples of the same pairs, which share their instantiations.
+TEST_CASE("cast: a box against every kind of shape", "[cast]") {
+  test::visit_boxes<q16_16, 3>(-3, [](const auto& shape) { test::check_casts<q16_16, 3>(shape); });
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "detent/query/cast.hpp"
@@ -76,6 +77,7 @@ class CastExam {
   template <class A>
   void examine_all(long count) {
     support::AllShapes<S, N>::for_each([&]<class B>(const B&) { examine<A, B>(count); });
+    for (long i = 0; i < count; ++i) examine_compound<A>();
   }
 
   void finish() {
@@ -87,6 +89,33 @@ class CastExam {
   }
 
  private:
+  /// The first part that is hit, in the order of the lists.
+  template <class A>
+  void examine_compound() {
+    const auto setting = any_setting(draw_, Kind::lattice, 300);
+    const auto a = draw_shape<A>(draw_, setting);
+    const auto draw_two = [&]<class B>(const B&) {
+      return std::array{draw_shape<B>(draw_, setting), draw_shape<B>(draw_, setting)};
+    };
+    const auto boxes = draw_two(Obb<S, N>());
+    const auto spheres = draw_two(Sphere<S, N>());
+    const auto triangles = draw_two(Triangle<S, N>());
+    const auto direction = draw_direction(setting, a, triangles[0]);
+    const S most = draw_.reach(setting.size);
+    std::optional<CastHit<S, N>> first;
+    const auto offer = [&](const auto& parts) {
+      for (const auto& part : parts) {
+        const auto hit = cast(a, direction, most, part);
+        if (hit && (!first || hit->distance < first->distance)) first = hit;
+      }
+    };
+    offer(boxes);
+    offer(spheres);
+    offer(triangles);
+    INFO(draw_.random << ": " << describe(a) << " along " << describe(direction));
+    CHECK(cast(a, direction, most, Compound{boxes, spheres, triangles}) == first);
+  }
+
   /// Shapes of any size in a corner of the range.
   Setting<N> corner_setting() {
     auto setting = draw_setting(draw_, Kind::general, 100);

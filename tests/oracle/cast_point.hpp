@@ -46,13 +46,14 @@ std::optional<Exact<N>> closest_of_target(const Travel<N>& travel, const A& shap
   const Rational radius_b = rational(S(detail::radius_of(target)));
   std::optional<Exact<N>> result;
   if constexpr (detail::is_kind<CoreB, Plane>) {
-    result = closest_to_plane(b, moved(corners_of(a), way), radius_a).first;
+    const auto n = position(b.normal);
+    result = Exact<N>{nearest_corner<N>(n, rational(b.offset), moved(corners_of(a), way)).second};
   } else if constexpr (is_in_frame<CoreB, CoreA>) {
     const auto ends = moved(corners_of(a), way);
-    result = closest_in_frame(b, ends.front(), ends.back(), radius_a, true).first;
+    result = closest_in_frame(b, ends.front(), ends.back(), radius_a, true, false).first;
   } else if constexpr (is_in_frame<CoreA, CoreB>) {
     const auto ends = moved(corners_of(b), -way);
-    result = closest_in_frame(a, ends.front(), ends.back(), radius_b, true).second;
+    result = closest_in_frame(a, ends.front(), ends.back(), radius_b, true, false).second;
     result->point = along(result->point, position(direction), way);
   } else {
     const auto of_a = moved(corners_of(a), way), of_b = corners_of(b);

@@ -18,7 +18,7 @@ std::optional<Wrong> judge(const CastCase<S, N, First, Second>& c,
   const auto& shape = as_shape(c.shape);
   const auto& target = as_shape(c.target);
   const auto travel = oracle::travel_of(shape, c.direction, target);
-  const auto fault = oracle::fault_of(travel, shape, target, got, c.max_distance);
+  const auto fault = oracle::fault_of(travel, shape, c.direction, target, got, c.max_distance);
   if (fault.empty()) return std::nullopt;
   return Wrong{"another hit: " + fault, words(got)};
 }
