@@ -11,7 +11,7 @@
 
 namespace detent::verify::judge {
 
-/// Hit or miss and the distance are exact; normal and point are judged within their bounds.
+/// Hit or miss, distance and point are exact; the normal is judged within its bound.
 template <int Row, Scalar S, int N, class First, class Second>
 std::optional<Wrong> judge(const CastCase<S, N, First, Second>& c,
                            const std::optional<CastHit<S, N>>& got) {
