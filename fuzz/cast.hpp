@@ -20,8 +20,8 @@ void check_cast(Decoder<S, N>& decoder) {
   const auto direction = decoder.direction();
   const S limit = decoder.number();
   const auto found = cast(shape, direction, limit, target);
-  const auto fault =
-      oracle::fault_of(oracle::travel_of(shape, direction, target), shape, target, found, limit);
+  const auto travel = oracle::travel_of(shape, direction, target);
+  const auto fault = oracle::fault_of(travel, shape, direction, target, found, limit);
   require(fault.empty(), [&] {
     return fault + ": " + oracle::describe(shape) + "; " + oracle::describe(target) + " along " +
            oracle::describe(direction);

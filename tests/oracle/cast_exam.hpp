@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "detent/query/cast.hpp"
@@ -11,7 +12,19 @@
 
 namespace detent::oracle {
 
-/// Compares the casts of random shapes at random targets with the oracle's.
+/// Every shape that a cast can move.
+template <Scalar S, int N>
+using CastShapes = typename support::MovingShapes<S, N>::template and_also<Segment<S, N>>;
+
+template <class Shape>
+inline constexpr bool is_round = requires(Shape shape) {
+  shape.radius;
+};
+template <class Shape>
+inline constexpr bool is_box = detail::is_kind<Shape, Aabb> || detail::is_kind<Shape, Obb>;
+
+/// Compares the casts of random shapes at random targets with the oracle's. Every third cast goes
+/// from a corner of the range to anywhere within it.
 template <Scalar S, int N>
 class CastExam {
  public:
@@ -21,17 +34,20 @@ class CastExam {
   void examine(long count) {
     long hits = 0, starts = 0;
     for (long i = 0; i < count; ++i) {
-      const auto setting = any_setting(draw_, Kind::general, 300);
+      const bool is_long = i % 3 == 2;
+      auto setting = is_long ? corner_setting() : any_setting(draw_, Kind::general, 300);
       const auto a = draw_shape<A>(draw_, setting);
+      if (is_long) setting.center = anywhere_near(setting.center);
       const auto b = draw_shape<B>(draw_, setting);
       const auto direction = draw_direction(setting, a, b);
       const S most = draw_.reach(setting.size);
       const auto found = cast(a, direction, most, b);
       const auto travel = travel_of(a, direction, b);
-      auto complaint = fault_of(travel, a, b, found, most);
+      auto complaint = fault_of(travel, a, direction, b, found, most);
       if (complaint.empty() && found) {
         ++hits;
         if (found->distance == S(0)) ++starts;
+        if (is_long && raw_of(found->distance) > Draw<S, N>::limit / 8) ++long_hits_;
         // Hit or miss for motions that end at the touch.
         for (const int more : {-1, 0, 1}) {
           const S limit = Draw<S, N>::scalar(raw_of(found->distance) + more);
@@ -51,14 +67,17 @@ class CastExam {
       return;
     }
     INFO(draw_.random << ", " << hits << " of " << count << " hit, " << starts << " at the start");
+    CHECK(hits > starts);
     hits_ += hits;
     starts_ += starts;
     asked_ += count;
   }
 
+  /// `count` casts of A at every target.
   template <class A>
   void examine_all(long count) {
     support::AllShapes<S, N>::for_each([&]<class B>(const B&) { examine<A, B>(count); });
+    for (long i = 0; i < count; ++i) examine_compound<A>();
   }
 
   void finish() {
@@ -66,9 +85,56 @@ class CastExam {
                       << " at the start");
     CHECK(hits_ <= asked_ * 8 / 10);
     CHECK(hits_ - starts_ >= asked_ / 4);
+    CHECK(long_hits_ >= asked_ / 20);
   }
 
  private:
+  /// The first part that is hit, in the order of the lists.
+  template <class A>
+  void examine_compound() {
+    const auto setting = any_setting(draw_, Kind::lattice, 300);
+    const auto a = draw_shape<A>(draw_, setting);
+    const auto draw_two = [&]<class B>(const B&) {
+      return std::array{draw_shape<B>(draw_, setting), draw_shape<B>(draw_, setting)};
+    };
+    const auto boxes = draw_two(Obb<S, N>());
+    const auto spheres = draw_two(Sphere<S, N>());
+    const auto triangles = draw_two(Triangle<S, N>());
+    const auto direction = draw_direction(setting, a, triangles[0]);
+    const S most = draw_.reach(setting.size);
+    std::optional<CastHit<S, N>> first;
+    const auto offer = [&](const auto& parts) {
+      for (const auto& part : parts) {
+        const auto hit = cast(a, direction, most, part);
+        if (hit && (!first || hit->distance < first->distance)) first = hit;
+      }
+    };
+    offer(boxes);
+    offer(spheres);
+    offer(triangles);
+    INFO(draw_.random << ": " << describe(a) << " along " << describe(direction));
+    CHECK(cast(a, direction, most, Compound{boxes, spheres, triangles}) == first);
+  }
+
+  /// Shapes of any size in a corner of the range.
+  Setting<N> corner_setting() {
+    auto setting = draw_setting(draw_, Kind::general, 100);
+    const auto reach = std::min(4 * setting.size, Draw<S, N>::limit);
+    for (auto& x : setting.center) {
+      x = Draw<S, N>::limit - draw_.random.between(0, reach);
+      if (draw_.random.coin()) x = -x;
+    }
+    return setting;
+  }
+  /// Up to the length of a cast away from a corner on every axis, within the range.
+  Raw<N> anywhere_near(Raw<N> corner) {
+    for (auto& x : corner) {
+      const auto reach = draw_.random.between(0, Draw<S, N>::limit >> draw_.random.below(4));
+      x += x < 0 ? reach : -reach;
+    }
+    return corner;
+  }
+
   static std::int64_t raw_of(const S& x) { return static_cast<std::int64_t>(x.raw()); }
 
   template <class Shape>
@@ -112,7 +178,7 @@ class CastExam {
   }
 
   Draw<S, N> draw_;
-  long hits_ = 0, starts_ = 0, asked_ = 0;
+  long hits_ = 0, starts_ = 0, long_hits_ = 0, asked_ = 0;
 };
 
 }  // namespace detent::oracle

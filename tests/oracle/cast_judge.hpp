@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "detent/query/cast.hpp"
+#include "oracle/cast_point.hpp"
 #include "oracle/cores.hpp"
 #include "oracle/exact.hpp"
 #include "oracle/push.hpp"
@@ -40,38 +41,14 @@ std::string fault_of_distance(const Travel<N>& travel, const std::optional<CastH
   return "";
 }
 
-/// The number of units by which distances in the frame of an oriented box may differ from those in
-/// the world; nothing if its axes are not perpendicular.
-template <int N>
-std::optional<Integer> stretch_of(const Solid<N>& solid) {
-  const auto* box = std::get_if<TurnedBox<N>>(&solid);
-  if (box == nullptr) return 0;
-  Integer longest = 0;
-  for (std::size_t i = 0; i < box->axes.size(); ++i) {
-    longest = std::max(longest, Integer(abs(box->half[i])));
-    for (std::size_t j = 0; j < i; ++j) {
-      if (abs(dot(box->axes[i], box->axes[j])) > 8 * box->one) return {};
-    }
-  }
-  return Integer(64 * longest / box->one);
-}
-
-/// For a hit after the start: the point is on the target up to rounding, and within 3 units of the
-/// moved shape, which is less than a unit of time before the touch.
-template <class B, Scalar S, int N>
-std::string fault_of_point(const Travel<N>& travel, const B& target, const CastHit<S, N>& found) {
-  for (int i = 0; i < N; ++i) {
-    if (found.point[i] == largest<S> || found.point[i] == lowest<S>) return "";  // clamped
-  }
-  const auto of_shape = stretch_of(travel.shape), of_target = stretch_of(travel.target);
-  if (!of_shape || !of_target) return "";
-  const Integer stretch = *of_shape + *of_target;
-  if (distance_floor(target, found.point).value_or(2) > 1 + stretch)
-    return "the point is off the target";
-  const Travel<N> to_point{travel.shape, Ball<N>{raw(found.point), 3 + stretch}, travel.direction,
-                           travel.one};
-  const Integer k = raw(found.distance);
-  return *clearance(to_point, k, k, 1) <= 0 ? "" : "the point is off the shape";
+/// For a hit after the start: the point is the exact one, rounded; any number of a coordinate that is
+/// clamped.
+template <class A, class B, Scalar S, int N>
+std::string fault_of_point(const Travel<N>& travel, const A& a, const Direction<S, N>& direction,
+                           const B& b, const CastHit<S, N>& found) {
+  const auto exact = closest_of_target(travel, a, direction, found.distance, b);
+  if (!exact) return "no proof of the closest point";
+  return is_rounded(*exact, found.point) ? "" : "not the closest point";
 }
 
 /// For polytopes: between the distance and one unit more, the plane perpendicular to the normal
@@ -141,12 +118,12 @@ std::string fault_of_normal(const Travel<N>& travel, const A& a, const B& b,
 }
 
 template <class A, class B, Scalar S, int N>
-std::string fault_of(const Travel<N>& travel, const A& a, const B& b,
-                     const std::optional<CastHit<S, N>>& found, const S& limit) {
+std::string fault_of(const Travel<N>& travel, const A& a, const Direction<S, N>& direction,
+                     const B& b, const std::optional<CastHit<S, N>>& found, const S& limit) {
   auto fault = fault_of_distance(travel, found, limit);
   if (!fault.empty() || !found || *clearance(travel, 0, 0, 1) <= 0) return fault;
   fault = fault_of_normal(travel, a, b, *found);
-  return fault.empty() ? fault_of_point(travel, b, *found) : fault;
+  return fault.empty() ? fault_of_point(travel, a, direction, b, *found) : fault;
 }
 
 }  // namespace detent::oracle

@@ -280,6 +280,20 @@ Rational rational(S x) {
   return std::int64_t{x.raw()};
 }
 
+/// The corner closest to a plane, the least one on ties, and its foot on the plane.
+template <int N>
+std::pair<Position<N>, Position<N>> nearest_corner(const Position<N>& normal,
+                                                   const Rational& offset,
+                                                   const Corners<N>& corners) {
+  const auto height = [&](const Position<N>& at) { return Rational(dot(normal, at) - offset); };
+  auto nearest = corners.front();
+  for (const auto& corner : corners) {
+    const Rational here = abs(height(corner)), there = abs(height(nearest));
+    if (here < there || (here == there && corner < nearest)) nearest = corner;
+  }
+  return {nearest, along(nearest, normal, Rational(-height(nearest) / dot(normal, normal)))};
+}
+
 /// A plane and a polytope.
 template <Scalar S, int N>
 ExactPair<N> closest_to_plane(const Plane<S, N>& plane, const Corners<N>& corners,
@@ -307,12 +321,7 @@ ExactPair<N> closest_to_plane(const Plane<S, N>& plane, const Corners<N>& corner
       }
     }
   }
-  auto nearest = corners.front();
-  for (const auto& corner : corners) {
-    const Rational here = abs(height(corner)), there = abs(height(nearest));
-    if (here < there || (here == there && corner < nearest)) nearest = corner;
-  }
-  const auto foot = along(nearest, n, Rational(-height(nearest) / dot(n, n)));
+  const auto [nearest, foot] = nearest_corner<N>(n, rational(plane.offset), corners);
   return surface_points<N>(foot, nearest, 0, radius);
 }
 
@@ -344,10 +353,12 @@ inline ExactPair<3> closest_planes(const Position<3>& m, const Rational& p, cons
   return {on_a, on_a};
 }
 
-/// A box in its frame and a segment, or a point if both ends are equal.
+/// A box in its frame and a segment, or a point if both ends are equal. A common point is where the
+/// segment enters the box, or else its least point there.
 template <Scalar S, int N>
 ExactPair<N> closest_in_frame(const Obb<S, N>& box, const Position<N>& start,
-                              const Position<N>& end, const Rational& radius, bool is_exact) {
+                              const Position<N>& end, const Rational& radius, bool is_exact,
+                              bool is_entry = true) {
   Corners<N> axes;
   for (int i = 0; i < N; ++i) axes.push_back(position(box.rotation.axis(i)));
   const auto center = position(box.center);
@@ -397,7 +408,7 @@ ExactPair<N> closest_in_frame(const Obb<S, N>& box, const Position<N>& start,
   Rational best = times.front();
   for (const auto& t : times) {
     const Rational here = gap(t), there = gap(best);
-    const bool is_less = here.is_zero() ? t < best : at(t) < at(best);
+    const bool is_less = is_entry && here.is_zero() ? t < best : at(t) < at(best);
     if (here < there || (here == there && is_less)) best = t;
   }
   const auto on_axis = at(best);

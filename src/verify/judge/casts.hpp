@@ -38,14 +38,14 @@ std::optional<typename Cast<Shape>::S> distance_along(const Cast<Shape>& moving,
                         moving.max_distance);
 }
 
-/// Hit or miss and the distance are exact; normal and point are judged within their bounds.
+/// Hit or miss, distance and point are exact; the normal is judged within its bound.
 template <int Row, Scalar S, int N, class First, class Second>
 std::optional<Wrong> judge(const CastCase<S, N, First, Second>& c,
                            const std::optional<CastHit<S, N>>& got) {
   const auto& shape = as_shape(c.shape);
   const auto& target = as_shape(c.target);
   const auto travel = oracle::travel_of(shape, c.direction, target);
-  const auto fault = oracle::fault_of(travel, shape, target, got, c.max_distance);
+  const auto fault = oracle::fault_of(travel, shape, c.direction, target, got, c.max_distance);
   if (fault.empty()) return std::nullopt;
   return Wrong{"another hit: " + fault, words(got)};
 }

@@ -51,10 +51,22 @@ class SurfaceContacts {
 
   template <class Found>
   constexpr void visit(const Found& found) const noexcept {
-    visit_near(bounding_box(shape_), [&](const MeshTriangle<S>& part) {
-      const auto here = contact_with(part);
-      if (here) found(MeshContact<S>{*here, part.index});
-    });
+    bool touches = false, is_found = false;
+    const auto visit_all = [&](bool by_own_side) {
+      visit_near(bounding_box(shape_), [&](const MeshTriangle<S>& part) {
+        const auto free = contact(part.triangle, shape_);
+        if (!free) return;
+        touches = true;
+        const auto here = contact_with(part, *free, by_own_side);
+        if (!here) return;
+        is_found = true;
+        found(MeshContact<S>{*here, part.index});
+      });
+    };
+    visit_all(false);
+    // If triangles have two sides, all may have deferred to each other: each measured the faces of
+    // the others on its own side. Of faces on their own sides, the nearest defers to none.
+    if (touches && !is_found) visit_all(true);
   }
 
  private:
@@ -66,18 +78,20 @@ class SurfaceContacts {
     });
   }
 
+  /// The contact of a triangle, whose least translation is `free`. Faces of others are measured on
+  /// the side of `free` or, if `by_own_side`, on that of their own least translations.
   [[nodiscard]] constexpr std::optional<Contact<S, 3>> contact_with(
-      const MeshTriangle<S>& part) const noexcept {
+      const MeshTriangle<S>& part, const Contact<S, 3>& free, bool by_own_side) const noexcept {
     const auto& triangle = part.triangle;
-    const auto free = contact(triangle, shape_);
-    if (!free || is_zero(normal_of(triangle)) || is_right(part, free->normal)) return free;
-    const auto face = face_push(triangle, free->normal);
+    if (is_zero(normal_of(triangle)) || is_right(part, free.normal)) return free;
+    const auto face = face_push(triangle, free.normal);
     bool gives_way = false;
-    visit_risers(part, free->normal, [&](const MeshTriangle<S>& other) {
+    visit_risers(part, free.normal, [&](const MeshTriangle<S>& other) {
       if (gives_way) return;
       const auto others = contact(other.triangle, shape_);
       if (!others) return;
-      const auto depth = face_push(other.triangle, free->normal).depth;
+      const auto depth =
+          face_push(other.triangle, by_own_side ? others->normal : free.normal).depth;
       gives_way =
           is_right(other, others->normal) ||
           (depth >= 0 && (depth < face.depth || (depth == face.depth && other.index < part.index)));

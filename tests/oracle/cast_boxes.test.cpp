@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/cast_exam.hpp"
+#include "query/cast/shapes.hpp"
+
+namespace detent::oracle {
+namespace {
+
+template <Scalar S, int N>
+void examine_boxes(std::uint64_t seed, long count) {
+  CastExam<S, N> exam(seed);
+  CastShapes<S, N>::for_each([&]<class A>(const A&) {
+    if constexpr (is_box<A>) exam.template examine_all<A>(count);
+  });
+  exam.finish();
+}
+
+TEST_CASE("cast of boxes: every answer is exact", "[oracle]") {
+  examine_boxes<q16_16, 3>(0xca58, 12);
+}
+
+TEST_CASE("cast of boxes: many more answers are exact", "[oracle][.demand]") {
+  for (const auto seed : demanded_seeds()) examine_boxes<q16_16, 3>(seed, 100);
+}
+
+// Examples of the same pairs, which share their instantiations.
+TEST_CASE("cast: a box against every kind of shape", "[cast]") {
+  test::visit_boxes<q16_16, 3>(-3, [](const auto& shape) { test::check_casts<q16_16, 3>(shape); });
+}
+
+}  // namespace
+}  // namespace detent::oracle
