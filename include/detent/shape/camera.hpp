@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "detent/math/lens.hpp"
+#include "detent/shape/camera_filter.hpp"
 #include "detent/shape/frustum.hpp"
 #include "detent/shape/ray.hpp"
 
@@ -128,9 +129,10 @@ template <Scalar S, Number X, Number Unit>
   return seen(camera.pose.rotation, at, half_size, depth);
 }
 
+/// `pick_ray` without a filter.
 template <Scalar S, Number X, Number Unit>
-[[nodiscard]] constexpr Ray<S, 3> pick_ray(const Camera<S>& camera,
-                                           const OnScreen<X, Unit>& at) noexcept {
+[[nodiscard]] constexpr Ray<S, 3> exact_pick_ray(const Camera<S>& camera,
+                                                 const OnScreen<X, Unit>& at) noexcept {
   const auto& eye = camera.pose.translation;
   const auto& frame = camera.pose.rotation;
   const auto ahead = -frame.axis(2);
@@ -138,8 +140,28 @@ template <Scalar S, Number X, Number Unit>
     const auto slope = [&](int i) { return camera.lens.slope(i); };
     return {eye, direction_of<S>(seen(frame, at, slope, one<S>)).value_or(ahead)};
   }
-  const auto offset = seen(camera, at, camera.lens.near_distance());
-  return {quotient_nearest<S>(eye * at.unit + offset, at.unit), ahead};
+  const auto extent = [&](int i) { return camera.lens.extent(i); };
+  const auto offset = seen(frame, at, extent, camera.lens.near_distance());
+  if constexpr (std::is_same_v<Unit, std::remove_cv_t<decltype(one<S>)>>) {
+    return {nearest_to<S>(eye + offset), ahead};
+  } else {
+    return {quotient_nearest<S>(eye * at.unit + offset, at.unit), ahead};
+  }
+}
+template <Scalar S, Number X, Number Unit>
+[[nodiscard]] constexpr Ray<S, 3> pick_ray(const Camera<S>& camera,
+                                           const OnScreen<X, Unit>& at) noexcept {
+  if constexpr (is_fixed<S> && has_filters) {
+    if (camera.lens.has_perspective()) {
+      const auto unit = decide_direction(camera.pose.rotation, camera.lens, at.x, at.y, at.unit);
+      if (unit.is_sure) {
+        using Component = direction_component<S>;
+        const auto c = [&](std::size_t i) { return narrow<Component::bits>(unit.value[i]); };
+        return {camera.pose.translation, Direction<S, 3>::assume_unit({c(0), c(1), c(2)})};
+      }
+    }
+  }
+  return exact_pick_ray(camera, at);
 }
 
 /// The determinants of Cramer's rule for the coordinates of a point in a camera's frame: right / whole,
@@ -168,9 +190,9 @@ template <Scalar S>
 /// Calls f(right, half_width, up, half_height) with the screen coordinates as fractions, x = right /
 /// half_width, unless the point is behind a camera with perspective.
 template <class T, Scalar S, class F>
-[[nodiscard]] constexpr std::optional<ScreenPoint<T, S>> project_by(const Camera<S>& camera,
-                                                                    const Vec<S, 3>& point,
-                                                                    const F& f) noexcept {
+[[nodiscard]] constexpr std::optional<ScreenPoint<T, S>> exact_project(const Camera<S>& camera,
+                                                                       const Vec<S, 3>& point,
+                                                                       const F& f) noexcept {
   const auto at = frame_coordinates(camera, point);
   if (!(at.whole > 0)) return std::nullopt;
   if (camera.lens.has_perspective() && !(at.depth > 0)) return std::nullopt;
@@ -179,6 +201,30 @@ template <class T, Scalar S, class F>
   };
   const auto [x, y] = f(at.right, half_size(0), at.up, half_size(1));
   return ScreenPoint<T, S>{x, y, quotient_nearest<S>(at.depth, at.whole)};
+}
+
+/// The same, where the screen coordinates are middle.x + half_size.x x and middle.y +- half_size.y y
+/// for x and y in [-1, 1].
+template <class T, bool IsDown, Scalar S, Number Size, class F>
+[[nodiscard]] constexpr std::optional<ScreenPoint<T, S>> project_by(const Camera<S>& camera,
+                                                                    const Vec<S, 3>& point,
+                                                                    const Vec<Size, 2>& half_size,
+                                                                    const Vec<Size, 2>& middle,
+                                                                    const F& f) noexcept {
+  const auto exact = [&] { return exact_project<T>(camera, point, f); };
+  if constexpr (filters_projection<T, S>) {
+    if (!(half_size.x > 0 && half_size.y > 0)) [[unlikely]]
+      return exact();
+    const auto seen = decide_project<T, IsDown>(camera.pose.rotation, camera.lens,
+                                                point - camera.pose.translation, half_size, middle);
+    if (seen.is_seen == Filtered::no) return std::nullopt;
+    if (seen.is_seen == Filtered::unsure) [[unlikely]]
+      return exact();
+    return ScreenPoint<T, S>{narrow<T::bits>(seen.x), narrow<T::bits>(seen.y),
+                             narrow<S::bits>(seen.depth)};
+  } else {
+    return exact();
+  }
 }
 
 }  // namespace detail
@@ -194,8 +240,10 @@ template <class T, Scalar S, class F>
 template <class To = void, Scalar S>
 [[nodiscard]] constexpr auto project(const Camera<S>& camera, const Vec<S, 3>& point) noexcept {
   using T = detail::to_or_own<To, S>;
-  return detail::project_by<T>(
-      camera, point, [](const auto& x, const auto& w, const auto& y, const auto& h) {
+  using Size = std::remove_cv_t<decltype(detail::one<S>)>;
+  return detail::project_by<T, false>(
+      camera, point, Vec<Size, 2>{Size(1), Size(1)}, Vec<Size, 2>{},
+      [](const auto& x, const auto& w, const auto& y, const auto& h) {
         return Vec<T, 2>{quotient_nearest<T>(x, w), quotient_nearest<T>(y, h)};
       });
 }
@@ -210,11 +258,13 @@ template <class To = void, Scalar S>
   using T = detail::to_or_own<To, S>;
   const auto width = detail::pixel_count<S>(viewport.width);
   const auto height = detail::pixel_count<S>(viewport.height);
-  return detail::project_by<T>(camera, point,
-                               [&](const auto& x, const auto& w, const auto& y, const auto& h) {
-                                 return Vec<T, 2>{quotient_nearest<T>((w + x) * width, w + w),
-                                                  quotient_nearest<T>((h - y) * height, h + h)};
-                               });
+  const Vec middle{half(width), half(height)};
+  return detail::project_by<T, true>(
+      camera, point, middle, middle,
+      [&](const auto& x, const auto& w, const auto& y, const auto& h) {
+        return Vec<T, 2>{quotient_nearest<T>((w + x) * width, w + w),
+                         quotient_nearest<T>((h - y) * height, h + h)};
+      });
 }
 
 /// The point at screen coordinates `x` and `y`, of any number type, and `depth`.
