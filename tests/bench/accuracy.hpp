@@ -96,8 +96,10 @@ inline void refine(std::vector<double>& rounded, const std::vector<double>& fine
 /// Whether a type of results decides something: distances, points and rays do not. Impacts do, but
 /// may report shapes that only come close.
 template <class Answer>
-inline constexpr bool decides = requires(const Answer& answer) { is_hit(answer); } &&
-                                !Scalar<Answer>;
+inline constexpr bool decides = requires(const Answer& answer) {
+  is_hit(answer);
+}
+&&!Scalar<Answer>;
 template <Scalar S, int N>
 inline constexpr bool decides<Ray<S, N>> = false;
 template <Scalar S>

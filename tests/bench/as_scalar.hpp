@@ -10,6 +10,15 @@
 
 namespace detent::bench {
 
+template <Number T>
+T as_number(double x) {
+  if constexpr (is_fixed<T>) {
+    return T::from_double(x);
+  } else {
+    return static_cast<T>(x);
+  }
+}
+
 /// A convex hull that owns its points.
 template <Scalar S, int N>
 struct Rock {
@@ -40,13 +49,14 @@ struct Swept {
   Sweep<S, N> sweep{};
 };
 
-/// A camera that sees 60 degrees from top to bottom, on a screen of 1920 x 1080 pixels.
+/// A camera that sees 60 degrees from top to bottom, on a screen of 1890 x 1080 pixels: 7 : 4, which
+/// every scalar has.
 template <Scalar S, int N>
 struct View {
   static Lens<S> lens() {
-    return *Lens<S>::perspective(Angle<S>::turn(1, 6), quotient_nearest<S>(S(16), S(9)), S(1), S(100));
+    return *Lens<S>::perspective(Angle<S>::turn(1, 6), as_number<S>(1.75), S(1), S(100));
   }
-  static constexpr Viewport screen{1920, 1080};
+  static constexpr Viewport screen{1890, 1080};
 
   Camera<S> camera{{}, lens()};
 };
@@ -63,15 +73,6 @@ struct Spot {
 
 // A scene is drawn in double on a grid that every scalar has. `as<S>` is the same scene in S.
 // Directions that S cannot represent are rounded to nearest.
-
-template <Number T>
-T as_number(double x) {
-  if constexpr (is_fixed<T>) {
-    return T::from_double(x);
-  } else {
-    return static_cast<T>(x);
-  }
-}
 
 template <Number T, Number From, int N>
 Vec<T, N> as_vec(const Vec<From, N>& v) {

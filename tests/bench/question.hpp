@@ -81,10 +81,10 @@ bool hits(const Q& query, const typename Q::template Question<S>& question) {
 
 /// Whether `query` misses for some inputs.
 template <class Q>
-inline constexpr bool can_miss = !std::is_same_v<
-    decltype(std::declval<const Q&>().template operator()<double>(
-        std::declval<typename Q::template Question<double>>())),
-    Ray<double, 3>>;
+inline constexpr bool can_miss =
+    !std::is_same_v<decltype(std::declval<const Q&>().template operator()<double>(
+                        std::declval<typename Q::template Question<double>>())),
+                    Ray<double, 3>>;
 
 /// The inputs for `query`, in double. About half of them are hits in double, except where shapes
 /// without volume make hits improbable.
