@@ -30,6 +30,9 @@ void add_planar_round_overlaps(std::vector<Query>& queries);
 void add_planar_flat_overlaps(std::vector<Query>& queries);
 void add_planar_hull_overlaps(std::vector<Query>& queries);
 void add_planar_segments(std::vector<Query>& queries);
+void add_planar_distances(std::vector<Query>& queries);
+void add_planar_capsule_contacts(std::vector<Query>& queries);
+void add_planar_box_contacts(std::vector<Query>& queries);
 void add_planar_closest_points(std::vector<Query>& queries);
 void add_planar_casts(std::vector<Query>& queries);
 

@@ -32,6 +32,9 @@ const std::vector<Query>& queries() {
     add_planar_flat_overlaps(list);
     add_planar_hull_overlaps(list);
     add_planar_segments(list);
+    add_planar_distances(list);
+    add_planar_capsule_contacts(list);
+    add_planar_box_contacts(list);
     add_planar_closest_points(list);
     add_planar_casts(list);
     return list;
