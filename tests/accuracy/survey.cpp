@@ -27,6 +27,8 @@ const std::vector<Query>& queries() {
     add_capsule_casts(list);
     add_box_casts(list);
     add_hull_casts(list);
+    add_cameras(list);
+    add_impacts(list);
     add_planar_raycasts(list);
     add_planar_round_overlaps(list);
     add_planar_flat_overlaps(list);
