@@ -19,7 +19,7 @@ struct Eye {
 };
 template <class F, Scalar S>
 auto changed(const F& f, const Eye<S>& eye) {
-  return Eye<decltype(f(S()))>{accuracy::changed(f, eye.position), accuracy::changed(f, eye.frame)};
+  return Eye<decltype(f(S()))>{changed(f, eye.position), changed(f, eye.frame)};
 }
 
 Rotation<Carrier, 3> frame_of(const Stage& stage) {
@@ -31,19 +31,16 @@ void move_away(Stage& stage, const Rung& rung, const Place& ahead) {
   stage.center = plus(stage.center, ahead, std::ldexp(rung.length, rung.frac));
 }
 
-using Exact3 = std::array<Steps, 3>;
+using Vector = oracle::Vector<3>;
 
-Exact3 exact_of(const Vec<Carrier, 3>& v) { return {v.x.raw(), v.y.raw(), v.z.raw()}; }
-Exact3 exact_of(const CarriedDirection& d) { return {d[0].raw(), d[1].raw(), d[2].raw()}; }
-Exact3 minus(const Exact3& a, const Exact3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Steps product(const Exact3& a, const Exact3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Exact3 across(const Exact3& a, const Exact3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+Vector exact_of(const Vec<Carrier, 3>& v) { return {v.x.raw(), v.y.raw(), v.z.raw()}; }
+Vector exact_of(const CarriedDirection& d) { return {d[0].raw(), d[1].raw(), d[2].raw()}; }
+/// x * 2^bits.
+Steps finer(const Steps& x, int bits) { return x * (Steps(1) << static_cast<unsigned>(bits)); }
 double real(const Steps& x) { return x.convert_to<double>(); }
 
-/// The screen coordinates and the depth of a point: right / depth, up / depth, depth / whole, the
-/// last in steps of 2^-frac.
+/// The screen coordinates and the depth of a point: right / depth, up / depth, and
+/// 2^direction_frac depth / whole, in steps of 2^-frac.
 struct ScreenTruth {
   Steps right, up, depth, whole;
   int frac;
@@ -61,11 +58,12 @@ struct ScreenTruth {
     }
     result.error = std::max(error_of(x, right), error_of(y, up));
     if constexpr (is_fixed<S>) {
-      const auto shorter = static_cast<unsigned>(std::max(0, frac - S::frac));
+      const int longer = std::max(0, S::frac - frac), shorter = std::max(0, frac - S::frac);
       result.is_off =
           inputs == Inputs::own &&
           !(is_nearest(answer->x, right, depth) && is_nearest(answer->y, up, depth) &&
-            is_nearest_raw<S>(answer->depth.raw(), depth << longer<S>(), whole << shorter));
+            is_nearest_raw<S>(answer->depth.raw(), finer(depth, longer + direction_frac),
+                              finer(whole, shorter)));
     }
     return result;
   }
@@ -73,23 +71,19 @@ struct ScreenTruth {
  private:
   /// In units of 2^-16.
   [[nodiscard]] double error_of(double given, const Steps& numerator) const {
-    constexpr int finer = 80;
-    const Steps error = Exact::of(given).steps(finer) * depth - (numerator << finer);
-    return std::ldexp(std::abs(real(error)) / real(depth), 16 - finer);
-  }
-  template <Scalar S>
-  [[nodiscard]] unsigned longer() const {
-    return static_cast<unsigned>(std::max(0, S::frac - frac));
+    constexpr int bits = 80;
+    const Steps error = Exact::of(given).steps(bits) * depth - finer(numerator, bits);
+    return std::ldexp(std::abs(real(error)) / real(depth), 16 - bits);
   }
   template <Scalar S>
   static bool is_nearest(const S& given, const Steps& n, const Steps& d) {
-    return is_nearest_raw<S>(given.raw(), n << static_cast<unsigned>(S::frac), d);
+    return is_nearest_raw<S>(given.raw(), finer(n, S::frac), d);
   }
   /// Whether `given` is n / d > 0, rounded to nearest and clamped.
   template <Scalar S>
   static bool is_nearest_raw(std::int64_t given, const Steps& n, const Steps& d) {
     const Steps twice = 2 * n, low = (2 * Steps(given) - 1) * d, high = (2 * Steps(given) + 1) * d;
-    const bool is_least = given == S::min().raw(), is_most = given == S::max().raw();
+    const bool is_least = given <= -S::max().raw(), is_most = given == S::max().raw();
     const bool is_even = given % 2 == 0;
     return (is_least || twice > low || (is_even && twice == low)) &&
            (is_most || twice < high || (is_even && twice == high));
@@ -108,7 +102,7 @@ struct Project {
 
   template <class F, class S>
   static auto change(const F& f, const Asked<S>& q) {
-    return Asked<decltype(f(S()))>{accuracy::changed(f, q.eye), accuracy::changed(f, q.point)};
+    return Asked<decltype(f(S()))>{changed(f, q.eye), changed(f, q.point)};
   }
   static Question draw(test::Random& random, const Numbers& numbers, const Rung& rung) {
     Stage stage(random, numbers, rung, false, false);
@@ -127,10 +121,9 @@ struct Project {
   static Truth truth(const Question& q, int frac) {
     const auto a = exact_of(q.eye.frame.axis(0)), b = exact_of(q.eye.frame.axis(1)),
                c = exact_of(q.eye.frame.axis(2));
-    const auto offset = minus(exact_of(q.point), exact_of(q.eye.position));
-    Truth truth{product(offset, across(b, c)), product(a, across(offset, c)),
-                -product(a, across(b, offset)), product(a, across(b, c)), frac};
-    return truth;
+    const auto offset = oracle::difference(exact_of(q.point), exact_of(q.eye.position));
+    return {oracle::dot(offset, oracle::cross(b, c)), oracle::dot(a, oracle::cross(offset, c)),
+            -oracle::dot(a, oracle::cross(b, offset)), oracle::dot(a, oracle::cross(b, c)), frac};
   }
   static bool is_hit(const Truth& truth) { return truth.is_seen(); }
   template <class S>
@@ -143,23 +136,23 @@ struct Project {
 
 /// The ray of a pixel, and a ball that it may hit.
 struct PickTruth {
-  Exact3 along;    // of any length
-  Exact3 to_ball;  // from the eye, in steps of 2^-frac
+  Vector along;    // of any length
+  Vector to_ball;  // from the eye, in steps of 2^-frac
   Steps radius;
   int frac;
 
-  [[nodiscard]] bool is_hit_by(const Exact3& direction) const {
-    const auto beside = across(to_ball, direction);
-    return product(to_ball, to_ball) <= radius * radius ||
-           (product(to_ball, direction) > 0 &&
-            product(beside, beside) <= radius * radius * product(direction, direction));
+  [[nodiscard]] bool is_hit_by(const Vector& direction) const {
+    const auto beside = oracle::cross(to_ball, direction);
+    return oracle::dot(to_ball, to_ball) <= radius * radius ||
+           (oracle::dot(to_ball, direction) > 0 &&
+            oracle::dot(beside, beside) <= radius * radius * oracle::dot(direction, direction));
   }
 
   /// How far the ray passes from the point that it should meet, at the distance of the ball.
   template <Scalar S>
   Judgement judge(const Ray<S, 3>& ray, Inputs inputs) const {
     Judgement result{is_hit_by(along)};
-    Exact3 given;
+    Vector given;
     for (int i = 0; i < 3; ++i) {
       const auto component = static_cast<double>(ray.direction[i]);
       if (!std::isfinite(component)) {
@@ -174,11 +167,12 @@ struct PickTruth {
       result.is_off = inputs == Inputs::own && !is_right;
     }
     result.is_wrong = !is_right && is_hit_by(given) != result.is_hit;
-    const auto turned = across(along, given);
-    const double sine = std::sqrt(real(product(turned, turned)) / real(product(along, along)) /
-                                  real(product(given, given)));
+    const auto turned = oracle::cross(along, given);
+    const double sine =
+        std::sqrt(real(oracle::dot(turned, turned)) / real(oracle::dot(along, along)) /
+                  real(oracle::dot(given, given)));
     if (result.is_hit) {
-      result.error = std::ldexp(sine * std::sqrt(real(product(to_ball, to_ball))), 16 - frac);
+      result.error = std::ldexp(sine * std::sqrt(real(oracle::dot(to_ball, to_ball))), 16 - frac);
     }
     return result;
   }
@@ -187,13 +181,13 @@ struct PickTruth {
   /// Whether each component is that of `along` / |along|, rounded to nearest.
   template <Scalar S>
   bool is_nearest_unit(const Direction<S, 3>& unit) const {
-    constexpr auto bits = static_cast<unsigned>(direction_component<S>::frac);
-    const Steps squared = product(along, along);
+    constexpr int bits = direction_component<S>::frac;
+    const Steps squared = oracle::dot(along, along);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::int64_t raw = unit[static_cast<int>(i)].raw();
       if (raw != 0 && (raw < 0) != (along[i] < 0)) return false;
       const Steps size = std::abs(raw), low = 2 * size - 1, high = 2 * size + 1;
-      const Steps twice = (along[i] * along[i]) << (2 * bits + 2);
+      const Steps twice = finer(along[i] * along[i], 2 * bits + 2);
       if (size > 0 && twice < low * low * squared) return false;
       if (twice > high * high * squared) return false;
     }
@@ -215,21 +209,25 @@ struct Pick {
 
   template <class F, class S>
   static auto change(const F& f, const Asked<S>& q) {
-    return Asked<decltype(f(S()))>{accuracy::changed(f, q.eye), f(q.x), f(q.y),
-                                   accuracy::changed(f, q.ball)};
+    return Asked<decltype(f(S()))>{changed(f, q.eye), f(q.x), f(q.y), changed(f, q.ball)};
   }
   static Question draw(test::Random& random, const Numbers& numbers, const Rung& rung) {
     Stage stage(random, numbers, rung, false, false);
-    const double x = stage.uniform(-1, 1), y = stage.uniform(-1, 1);
-    const Place ahead =
-        unit(plus(plus(plus({}, components(stage.axis(0)), x), components(stage.axis(1)), y),
-                  components(stage.axis(2)), -1));
+    const auto coordinate = [&] {
+      return numbers.nearest(Stage::number(std::ldexp(stage.uniform(-1, 1), rung.frac)), rung.frac);
+    };
+    const auto x = coordinate(), y = coordinate();
+    const Place right = components(stage.axis(0)), up = components(stage.axis(1)),
+                back = components(stage.axis(2));
+    const Place ahead = unit(plus(
+        plus(plus({}, right, std::ldexp(x.raw(), -rung.frac)), up, std::ldexp(y.raw(), -rung.frac)),
+        back, -1));
     move_away(stage, rung, ahead);
     const auto target = stage.at(stage.local({1.4, 1.4, 1.4}));
     Question question{
         {Stage::rounded(plus(target, ahead, -std::ldexp(rung.length, rung.frac))), frame_of(stage)},
-        Stage::number(std::ldexp(x, rung.frac)),
-        Stage::number(std::ldexp(y, rung.frac)),
+        x,
+        y,
         {}};
     accuracy::draw(stage, question.ball);
     return question;
@@ -237,11 +235,12 @@ struct Pick {
   static Truth truth(const Question& q, int frac) {
     const auto right = exact_of(q.eye.frame.axis(0)), up = exact_of(q.eye.frame.axis(1)),
                back = exact_of(q.eye.frame.axis(2));
-    Truth truth{
-        {}, minus(exact_of(q.ball.center), exact_of(q.eye.position)), q.ball.radius.raw(), frac};
+    Truth truth{{},
+                oracle::difference(exact_of(q.ball.center), exact_of(q.eye.position)),
+                q.ball.radius.raw(),
+                frac};
     for (std::size_t i = 0; i < 3; ++i) {
-      truth.along[i] =
-          q.x.raw() * right[i] + q.y.raw() * up[i] - (back[i] << static_cast<unsigned>(frac));
+      truth.along[i] = q.x.raw() * right[i] + q.y.raw() * up[i] - finer(back[i], frac);
     }
     return truth;
   }

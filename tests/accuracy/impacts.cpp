@@ -13,14 +13,11 @@ struct Flying {
   Vec<S, 3> end;
 };
 
-using Exact3 = std::array<Steps, 3>;
-
-Steps squared(const Exact3& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
-Steps product(const Exact3& a, const Exact3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+using Vector = oracle::Vector<3>;
 
 /// When two flying balls touch: their centers are apart by offset + t velocity, in steps of 2^-frac.
 struct ImpactTruth {
-  Exact3 offset, velocity;
+  Vector offset, velocity;
   Steps reach;  // the sum of the radii
   int frac;
 
@@ -59,7 +56,7 @@ struct ImpactTruth {
   template <Scalar S>
   [[nodiscard]] Steps allowed() const {
     const int unit = is_fixed<S> ? frac - fraction_bits<S>() : frac - 16;
-    const double travel = std::sqrt(squared(velocity).convert_to<double>());
+    const double travel = std::sqrt(oracle::dot(velocity, velocity).convert_to<double>());
     const int time_bits = is_fixed<S> ? numbers<S>.direction_bits : direction_frac;
     return Steps(static_cast<std::int64_t>(
         std::ceil(std::ldexp(10, unit) + std::ldexp(travel, -time_bits))));
@@ -76,21 +73,23 @@ struct ImpactTruth {
   /// Whether |offset + t velocity| <= distance for a t in [0, 1]: at an end, or at the least value
   /// between, where t = -(offset velocity) / velocity^2.
   [[nodiscard]] bool come_within(const Steps& distance) const {
-    const Steps limit = distance * distance, vv = squared(velocity), pv = product(offset, velocity);
-    if (squared(offset) <= limit) return true;
-    Exact3 end = offset;
+    const Steps limit = distance * distance, vv = oracle::dot(velocity, velocity),
+                pv = oracle::dot(offset, velocity);
+    if (oracle::dot(offset, offset) <= limit) return true;
+    Vector end = offset;
     for (std::size_t i = 0; i < 3; ++i) end[i] += velocity[i];
-    if (squared(end) <= limit) return true;
-    return pv < 0 && -pv < vv && squared(offset) * vv - pv * pv <= limit * vv;
+    if (oracle::dot(end, end) <= limit) return true;
+    return pv < 0 && -pv < vv && oracle::dot(offset, offset) * vv - pv * pv <= limit * vv;
   }
   /// The distance between the balls at a time, in steps; negative if they overlap.
   [[nodiscard]] double gap_at(double time) const {
-    constexpr unsigned bits = 60;
+    constexpr int bits = 60;
+    const Steps one = Steps(1) << static_cast<unsigned>(bits);
     const Steps t = Exact::of(time).steps(bits);
-    Exact3 at = offset;
-    for (std::size_t i = 0; i < 3; ++i) at[i] = (offset[i] << bits) + velocity[i] * t;
-    const Steps distance = sqrt(squared(at)) - (reach << bits);
-    return std::ldexp(distance.convert_to<double>(), -static_cast<int>(bits));
+    Vector at = offset;
+    for (std::size_t i = 0; i < 3; ++i) at[i] = offset[i] * one + velocity[i] * t;
+    const Steps distance = sqrt(oracle::dot(at, at)) - reach * one;
+    return std::ldexp(distance.convert_to<double>(), -bits);
   }
 };
 
@@ -109,14 +108,14 @@ struct Impacts {
     };
     return Asked<decltype(f(S()))>{flying(q.a), flying(q.b)};
   }
-  /// The first ball flies to the second one, and a few sizes past it.
+  /// The first ball flies to the second one, and up to three sizes past it.
   static Question draw(test::Random& random, const Numbers& numbers, const Rung& rung) {
     Stage stage(random, numbers, rung, false, false);
     const auto way = draw_ray(stage, rung, Form::solid, 2);
     Question question;
     draw_ball(stage, question.a, {});
     draw_ball(stage, question.b, stage.local({0.5, 0.5, 0.5}));
-    const double length = std::ldexp(rung.length + 3 * rung.size, rung.frac);
+    const double length = std::ldexp(rung.length + rung.size * stage.uniform(0, 3), rung.frac);
     question.a.ball.center = way.origin;
     Place start;
     for (std::size_t i = 0; i < 3; ++i) start[i] = way.origin[static_cast<int>(i)].raw();
