@@ -81,7 +81,8 @@ class Tally {
     }
   }
   /// A depth, or nothing for shapes that are apart.
-  void count(const Depth& right, const std::optional<Contact<S, 3>>& answer) {
+  template <int N>
+  void count(const Depth& right, const std::optional<Contact<S, N>>& answer) {
     bool is_finite = true;
     if constexpr (!is_fixed<S>) is_finite = !answer || std::isfinite(answer->depth);
     count(right.steps.has_value(), is_finite ? answer.has_value() : !right.steps.has_value());
@@ -385,30 +386,38 @@ struct Overlap {
 };
 
 /// The distance between two shapes.
-template <class A, class B>
-struct Apart : Overlap<A, B> {
-  using Question = typename Overlap<A, B>::Question;
+template <class A, class B, int N = 3>
+struct Apart : Overlap<A, B, N> {
+  using Question = typename Overlap<A, B, N>::Question;
   using Truth = Steps;
 
-  static Truth truth(const Question& q, int frac) { return distance_of(q.a, q.b, frac); }
+  static Truth truth(const Question& q, int frac) {
+    return distance_of(in_dimension<N>(q.a), in_dimension<N>(q.b), frac);
+  }
   static bool is_hit(const Truth& truth) { return truth > 0; }
   template <class S>
   static S answer(const PairQuestion<A, B, S>& q) {
-    return distance(as_shape(q.a), as_shape(q.b));
+    const auto a = in_dimension<N>(q.a);
+    const auto b = in_dimension<N>(q.b);
+    return distance(as_shape(a), as_shape(b));
   }
 };
 
 /// The contact of two shapes, judged by its depth.
-template <class A, class B>
-struct Touching : Overlap<A, B> {
-  using Question = typename Overlap<A, B>::Question;
+template <class A, class B, int N = 3>
+struct Touching : Overlap<A, B, N> {
+  using Question = typename Overlap<A, B, N>::Question;
   using Truth = Depth;
 
-  static Truth truth(const Question& q, int frac) { return depth_of(q.a, q.b, frac); }
+  static Truth truth(const Question& q, int frac) {
+    return depth_of(in_dimension<N>(q.a), in_dimension<N>(q.b), frac);
+  }
   static bool is_hit(const Truth& truth) { return truth.steps.has_value(); }
   template <class S>
-  static std::optional<Contact<S, 3>> answer(const PairQuestion<A, B, S>& q) {
-    return contact(as_shape(q.a), as_shape(q.b));
+  static std::optional<Contact<S, N>> answer(const PairQuestion<A, B, S>& q) {
+    const auto a = in_dimension<N>(q.a);
+    const auto b = in_dimension<N>(q.b);
+    return contact(as_shape(a), as_shape(b));
   }
 };
 

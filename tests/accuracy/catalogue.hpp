@@ -23,6 +23,8 @@ void add_sphere_casts(std::vector<Query>& queries);
 void add_capsule_casts(std::vector<Query>& queries);
 void add_box_casts(std::vector<Query>& queries);
 void add_hull_casts(std::vector<Query>& queries);
+void add_cameras(std::vector<Query>& queries);
+void add_impacts(std::vector<Query>& queries);
 
 // The same in 2D.
 void add_planar_raycasts(std::vector<Query>& queries);
@@ -30,6 +32,9 @@ void add_planar_round_overlaps(std::vector<Query>& queries);
 void add_planar_flat_overlaps(std::vector<Query>& queries);
 void add_planar_hull_overlaps(std::vector<Query>& queries);
 void add_planar_segments(std::vector<Query>& queries);
+void add_planar_distances(std::vector<Query>& queries);
+void add_planar_capsule_contacts(std::vector<Query>& queries);
+void add_planar_box_contacts(std::vector<Query>& queries);
 void add_planar_closest_points(std::vector<Query>& queries);
 void add_planar_casts(std::vector<Query>& queries);
 

@@ -87,7 +87,8 @@ bool measure(const Options& options) {
   if (chosen.empty()) {
     throw InputError(
         "--only: no query begins with \"" + options.only +
-        "\"; try raycast/, overlaps/, intersects/, distance/, closest_points/, contact/ or cast/");
+        "\"; try raycast/, overlaps/, intersects/, distance/, closest_points/, contact/, "
+        "cast/, pick_ray/, project/ or time_of_impact/");
   }
   Report report{{}, options.count, options.seed};
   {

@@ -97,7 +97,8 @@ std::string float_table(const Report& report) {
   std::string text = row_of(heads) + ruler(heads.size());
   for (const bool is_planar : {false, true}) {
     for (const std::string_view kind :
-         {"raycast", "overlaps", "intersects", "distance", "contact", "closest_points", "cast"}) {
+         {"raycast", "overlaps", "intersects", "distance", "contact", "closest_points", "cast",
+          "pick_ray", "project", "time_of_impact"}) {
       std::vector<std::string> cells{std::string(kind) + (is_planar ? " in 2D" : " in 3D")};
       bool has_any = false;
       for (const Ladder ladder : ladders) {

@@ -27,11 +27,16 @@ const std::vector<Query>& queries() {
     add_capsule_casts(list);
     add_box_casts(list);
     add_hull_casts(list);
+    add_cameras(list);
+    add_impacts(list);
     add_planar_raycasts(list);
     add_planar_round_overlaps(list);
     add_planar_flat_overlaps(list);
     add_planar_hull_overlaps(list);
     add_planar_segments(list);
+    add_planar_distances(list);
+    add_planar_capsule_contacts(list);
+    add_planar_box_contacts(list);
     add_planar_closest_points(list);
     add_planar_casts(list);
     return list;

@@ -61,6 +61,19 @@ template <Scalar S, int N, class Visit>
 void visit_lengths(const CastHit<S, N>& hit, const Visit& visit) {
   visit(value_of(hit.distance));
 }
+/// Those of a direction, which have no unit.
+template <Scalar S, int N, class Visit>
+void visit_lengths(const Ray<S, N>& ray, const Visit& visit) {
+  for (int i = 0; i < N; ++i) visit(static_cast<double>(ray.direction[i]));
+}
+/// Screen coordinates or pixels.
+template <Number T, Scalar S, class Visit>
+void visit_lengths(const ScreenPoint<T, S>& point, const Visit& visit) {
+  visit(value_of(point.x));
+  visit(value_of(point.y));
+}
+template <Scalar S, class Visit>
+void visit_lengths(const Impact<S>&, const Visit&) {}
 template <class T, class Visit>
 void visit_lengths(const std::optional<T>& answer, const Visit& visit) {
   if (answer) visit_lengths(*answer, visit);
@@ -80,16 +93,28 @@ inline void refine(std::vector<double>& rounded, const std::vector<double>& fine
   }
 }
 
+/// Whether a type of results decides something: distances, points and rays do not. Impacts do, but
+/// may report shapes that only come close.
+template <class Answer>
+inline constexpr bool decides = requires(const Answer& answer) {
+  is_hit(answer);
+}
+&&!Scalar<Answer>;
+template <Scalar S, int N>
+inline constexpr bool decides<Ray<S, N>> = false;
+template <Scalar S>
+inline constexpr bool decides<std::optional<Impact<S>>> = false;
+
 template <class S, class Q>
 bool is_wrong(const Q& query, const typename Q::template Question<double>& drawn) {
   using Answer =
       decltype(query.template operator()<S>(std::declval<typename Q::template Question<S>>()));
-  if constexpr (requires(const Answer& answer) { is_hit(answer); } && !Scalar<Answer>) {
+  if constexpr (decides<Answer>) {
     const auto question = std::pair{as<S>(drawn.first), as<S>(drawn.second)};
     const auto exact = std::pair{as<q16_16>(drawn.first), as<q16_16>(drawn.second)};
     return hits<S>(query, question) != hits<q16_16>(query, exact);
   } else {
-    return false;  // distances and points are not decisions
+    return false;
   }
 }
 
@@ -147,7 +172,7 @@ Accuracy accuracy_of(const Q& query,
       }
     }
     using Exact = std::remove_cvref_t<decltype(exact)>;
-    if constexpr (requires { is_hit(exact); } && !Scalar<Exact>) {
+    if constexpr (detail::decides<Exact>) {
       if (++axis % 8 != 0) continue;  // enough of them
       detail::visit_close_calls(query, question, axis / 8 % Q::dimension, [&](const auto& close) {
         ++result.close_asked;

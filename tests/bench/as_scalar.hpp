@@ -3,11 +3,21 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "detent/detent.hpp"
 #include "support/shapes.hpp"
 
 namespace detent::bench {
+
+template <Number T>
+T as_number(double x) {
+  if constexpr (is_fixed<T>) {
+    return T::from_double(x);
+  } else {
+    return static_cast<T>(x);
+  }
+}
 
 /// A convex hull that owns its points.
 template <Scalar S, int N>
@@ -32,17 +42,37 @@ struct Moving {
   S max_distance{};
 };
 
+/// A shape in the frame that a sweep moves.
+template <Scalar S, int N, template <class, int> class Shape>
+struct Swept {
+  Shape<S, N> shape{};
+  Sweep<S, N> sweep{};
+};
+
+/// A camera that sees 60 degrees from top to bottom, on a screen of 1890 x 1080 pixels: 7 : 4, which
+/// every scalar has.
+template <Scalar S, int N>
+struct View {
+  static Lens<S> lens() {
+    return *Lens<S>::perspective(Angle<S>::turn(1, 6), as_number<S>(1.75), S(1), S(100));
+  }
+  static constexpr Viewport screen{1890, 1080};
+
+  Camera<S> camera{{}, lens()};
+};
+/// A pixel of the screen.
+template <Scalar S, int N>
+struct Pixel {
+  std::int32_t column = 0, row = 0;
+};
+/// A point of the screen, in screen coordinates.
+template <Scalar S, int N>
+struct Spot {
+  S x{}, y{};
+};
+
 // A scene is drawn in double on a grid that every scalar has. `as<S>` is the same scene in S.
 // Directions that S cannot represent are rounded to nearest.
-
-template <Number T>
-T as_number(double x) {
-  if constexpr (is_fixed<T>) {
-    return T::from_double(x);
-  } else {
-    return static_cast<T>(x);
-  }
-}
 
 template <Number T, Number From, int N>
 Vec<T, N> as_vec(const Vec<From, N>& v) {
@@ -79,6 +109,27 @@ template <Scalar S, int N, template <class, int> class Shape>
 Moving<S, N, Shape> as(const Moving<double, N, Shape>& moving) {
   return {as<S>(moving.shape), as<S>(moving.direction), as<S>(moving.max_distance)};
 }
+template <Scalar S, int N, template <class, int> class Shape>
+Swept<S, N, Shape> as(const Swept<double, N, Shape>& body) {
+  const auto& [start, end, start_rotation, end_rotation] = body.sweep;
+  return {as<S>(body.shape),
+          {as<S>(start), as<S>(end), as<S>(start_rotation), as<S>(end_rotation)}};
+}
+template <Scalar S, int N>
+View<S, N> as(const View<double, N>& view) {
+  const auto& pose = view.camera.pose;
+  View<S, N> result;
+  result.camera.pose = {as<S>(pose.translation), as<S>(pose.rotation)};
+  return result;
+}
+template <Scalar S, int N>
+Pixel<S, N> as(const Pixel<double, N>& pixel) {
+  return {pixel.column, pixel.row};
+}
+template <Scalar S, int N>
+Spot<S, N> as(const Spot<double, N>& spot) {
+  return {as<S>(spot.x), as<S>(spot.y)};
+}
 
 /// A shape in double moved by `offset`.
 template <int N>
@@ -110,5 +161,10 @@ void move(Plane<double, N>& plane, const Vec<double, N>& offset) {
 template <int N>
 void move(Rock<double, N>& rock, const Vec<double, N>& offset) {
   for (auto& point : rock.points) point += offset;
+}
+template <template <class, int> class Shape, int N>
+void move(Swept<double, N, Shape>& body, const Vec<double, N>& offset) {
+  body.sweep.start += offset;
+  body.sweep.end += offset;
 }
 }  // namespace detent::bench

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "bench/as_scalar.hpp"
+#include "bench/terrain.hpp"
 #include "support/random.hpp"
 
 namespace detent::bench {
@@ -76,6 +80,47 @@ class Artist {
     moving.direction = toward(random_.one_in(8) ? start - aim : aim - start);
     moving.max_distance = length(reach_ / 2, reach_ - 1);
   }
+  /// Moves by a few of its sizes and turns by up to an eighth of a turn about each axis.
+  template <template <class, int> class Shape>
+  void draw(Swept<double, N, Shape>& body) {
+    const auto place = std::exchange(place_, {});
+    draw(body.shape);
+    place_ = place;
+    const auto start = place_ + vec(size() * 4), end = place_ + vec(size() * 4);
+    const auto before = angles();
+    auto after = before;
+    for (auto& angle : after) {
+      const auto eighth = std::int64_t{1} << 29;
+      const auto turn = static_cast<std::uint32_t>(random_.between(-eighth, eighth));
+      angle += Angle<q16_16>::from_raw(turn);
+    }
+    body.sweep = {start, end, rotation_by(before), rotation_by(after)};
+  }
+  /// Seven in eight look towards the scene.
+  void draw(View<double, N>& view) {
+    const auto aim = nearby();
+    Vec<double, N> eye, offset;
+    do {
+      eye = place_ + vec(reach_ * 2 / 5);
+      offset = eye - aim;
+    } while (squared_length(offset) < square(length(size() * 8, size() * 8)));
+    if (random_.one_in(8)) offset = -offset;
+    const Vec<q16_16, N> up{q16_16(0), q16_16(1), q16_16(0)};
+    const auto pose = look_at(as<q16_16>(offset), {}, up);
+    view.camera.pose = {eye, as_double(pose ? pose->rotation : Rotation<q16_16, N>())};
+  }
+  void draw(Pixel<double, N>& pixel) {
+    const auto below = [&](std::int32_t count) {
+      return static_cast<std::int32_t>(random_.between(0, count - 1));
+    };
+    pixel = {below(View<double, N>::screen.width), below(View<double, N>::screen.height)};
+  }
+  void draw(Spot<double, N>& spot) { spot = {length(-256, 256), length(-256, 256)}; }
+  /// The shapes of the scene are near its ground.
+  void draw(Terrain<double, N>& terrain) {
+    terrain = as<double>(Terrain<double, N>{static_cast<int>(size() / 256)});
+    place_.y = 0;
+  }
 
  private:
   [[nodiscard]] std::int64_t size() const { return reach_ / 32; }
@@ -100,23 +145,27 @@ class Artist {
     while (v == Vec<double, N>{}) v = vec(reach_ / 2);
     return toward(v);
   }
-  Rotation<double, N> rotation() {
-    const auto angle = [this] {
-      return Angle<q16_16>::from_raw(static_cast<std::uint32_t>(random_.next()));
-    };
-    Rotation<q16_16, N> turn;
+  static constexpr std::size_t angle_count = N == 2 ? 1 : 3;
+  using Angles = std::array<Angle<q16_16>, angle_count>;
+  Angles angles() {
+    Angles result;
+    for (auto& angle : result) {
+      angle = Angle<q16_16>::from_raw(static_cast<std::uint32_t>(random_.next()));
+    }
+    return result;
+  }
+  Rotation<double, N> rotation() { return rotation_by(angles()); }
+  static Rotation<double, N> rotation_by(const Angles& angles) {
     if constexpr (N == 2) {
-      turn = Rotation<q16_16, 2>::from_angle(angle());
+      return as_double(Rotation<q16_16, 2>::from_angle(angles[0]));
     } else {
-      const auto x = angle(), y = angle();
-      turn = Rotation<q16_16, 3>::from_euler(x, y, angle());
+      return as_double(Rotation<q16_16, 3>::from_euler(angles[0], angles[1], angles[2]));
     }
-    std::array<Direction<double, N>, N> axes;
-    for (int i = 0; i < N; ++i) {
-      axes[static_cast<std::size_t>(i)] =
-          Direction<double, N>::assume_unit(as_vec<double>(turn.axis(i).vec()));
-    }
-    return Rotation<double, N>::from_axes(axes);
+  }
+  static Rotation<double, N> as_double(const Rotation<q16_16, N>& rotation) {
+    return support::mapped_axes<double>(rotation, [](const auto& axis) {
+      return Direction<double, N>::assume_unit(as_vec<double>(axis.vec()));
+    });
   }
 
   test::Random random_;

@@ -19,3 +19,4 @@ TEST_CASE("golden: overlaps have their hit counts") {
 TEST_CASE("golden: segments have their hit counts") { visit_intersects(check_golden); }
 TEST_CASE("golden: hulls have their hit counts") { visit_hulls(check_golden); }
 TEST_CASE("golden: 2D shapes have their hit counts") { visit_planar(check_golden); }
+TEST_CASE("golden: cameras have their hit counts") { visit_cameras(check_golden); }

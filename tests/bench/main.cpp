@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "bench/bodies.hpp"
 #include "bench/pairs.hpp"
 #include "bench/results.hpp"
 #include "bench/still_pairs.hpp"
@@ -141,6 +142,8 @@ int run(int count, char** arguments) {
   add_intersects(suite);
   add_hulls(suite);
   add_planar(suite);
+  add_cameras(suite);
+  add_bodies(suite);
   add_pairs<PairQuery::distance, 3>(suite);
   add_pairs<PairQuery::distance, 2>(suite);
   add_pairs<PairQuery::closest_points, 3>(suite);

@@ -184,6 +184,30 @@ void visit_intersects(const Visit& visit) {
   visit(query<Segment, Segment>("intersects/segment", ask_intersects, {0, 0}));
 }
 
+// Cameras.
+
+inline constexpr auto ask_pick_ray = [](const auto& view, const auto& at) {
+  if constexpr (requires { at.column; }) {
+    return pick_ray(view.camera, view.screen, at.column, at.row);
+  } else {
+    return pick_ray(view.camera, at.x, at.y);
+  }
+};
+inline constexpr auto ask_project = [](const auto& view, const auto& point) {
+  return project(view.camera, point);
+};
+inline constexpr auto ask_project_to_pixel = [](const auto& view, const auto& point) {
+  return project(view.camera, view.screen, point);
+};
+
+template <class Visit>
+void visit_cameras(const Visit& visit) {
+  visit(query<View, Spot>("pick_ray/screen", ask_pick_ray, {4096, 4096}));
+  visit(query<View, Pixel>("pick_ray/pixel", ask_pick_ray, {4096, 4096}));
+  visit(query<View, Point>("project/screen", ask_project, {2060, 2115}));
+  visit(query<View, Point>("project/pixel", ask_project_to_pixel, {2060, 2115}));
+}
+
 /// The number of shapes that make pairs: the columns of the tables of pairs.
 inline constexpr int column_count = 8;
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -52,6 +53,11 @@ template <class T>
 bool is_hit(const std::optional<T>& answer) {
   return answer.has_value();
 }
+/// A camera sees along a ray at every pixel.
+template <Scalar S, int N>
+bool is_hit(const Ray<S, N>&) {
+  return true;
+}
 /// Distances and closest points have no misses: a hit is a distance > 0.
 template <Scalar S>
 bool is_hit(const S& distance) {
@@ -73,6 +79,13 @@ bool hits(const Q& query, const typename Q::template Question<S>& question) {
   }
 }
 
+/// Whether `query` misses for some inputs.
+template <class Q>
+inline constexpr bool can_miss =
+    !std::is_same_v<decltype(std::declval<const Q&>().template operator()<double>(
+                        std::declval<typename Q::template Question<double>>())),
+                    Ray<double, 3>>;
+
 /// The inputs for `query`, in double. About half of them are hits in double, except where shapes
 /// without volume make hits improbable.
 template <class Q>
@@ -87,7 +100,7 @@ std::vector<typename Q::template Question<double>> draw_questions(const Q& query
       artist.next_scene();
       artist.draw(question.first);
       artist.draw(question.second);
-      if (hits<double>(query, question) == wanted) break;
+      if (!can_miss<Q> || hits<double>(query, question) == wanted) break;
     }
   }
   return questions;

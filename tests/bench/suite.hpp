@@ -204,6 +204,7 @@ void add_other_overlaps(Suite& suite);
 void add_intersects(Suite& suite);
 void add_hulls(Suite& suite);
 void add_planar(Suite& suite);
+void add_cameras(Suite& suite);
 void add_batches(Suite& suite);
 void add_baselines(Suite& suite);
 void add_engines(Suite& suite);
