@@ -116,7 +116,6 @@ using SceneAnswers = NamedPart<"SceneAnswers", SceneQuestions>;
 using SceneContacts = NamedPart<"SceneContacts", SceneMeetings>;
 using Snapshots = NamedPart<"Snapshots", SceneRecords>;
 using Sights = NamedPart<"Sights", Views>;
-using OrbitSights = NamedPart<"OrbitSights", SceneViews>;
 using PairDistances =
     NamedPart<"PairDistances", Distances<CapsuleKind, ObbKind>, Distances<HullKind, HullKind>>;
 using MoreDistances = NamedPart<"MoreDistances", Distances<SphereKind, TriangleKind>,
@@ -151,6 +150,7 @@ using Characters = LargePart<"Characters", Walks>;
 using ScenePairs = NamedPart<"ScenePairs", SceneEvents>;
 using MovingCapsules = LargePart<"MovingCapsules", SceneCasts>;
 using FlatCharacters = LargePart<"FlatCharacters", FlatWalks>;
+using OrbitSights = NamedPart<"OrbitSights", SceneViews>;
 using FallingBodies = LargePart<"FallingBodies", Piles>;
 using JoinedBodies = LargePart<"JoinedBodies", Linkages>;
 using SolidBodies = LargePart<"SolidBodies", Solids>;
@@ -187,19 +187,19 @@ struct NamedVolume {
 };
 
 /// The corpus in five programs, for compilers that cannot take it in one.
-using Basics = NamedVolume<"Basics", SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints,
-                           FlatPoints, LinePoints, SphereOverlaps, AabbOverlaps, ObbOverlaps,
-                           FlatOverlaps, Intersections, Hulls, HullOverlaps, HullMeetings, Turns,
-                           Arithmetic, Moves, Extents, MeshAnswers, FieldAnswers, SceneAnswers,
-                           SceneContacts, Snapshots, Sights, PairDistances, OrbitSights>;
+using Basics =
+    NamedVolume<"Basics", SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints,
+                LinePoints, SphereOverlaps, AabbOverlaps, ObbOverlaps, FlatOverlaps, Intersections,
+                Hulls, HullOverlaps, HullMeetings, Turns, Arithmetic, Moves, Extents, MeshAnswers,
+                FieldAnswers, SceneAnswers, SceneContacts, Snapshots, Sights, PairDistances>;
 using Pairs = NamedVolume<"Pairs", MoreDistances, SpherePairPoints, CapsulePairPoints,
                           TrianglePairPoints, HullPairPoints, BoxPairPoints, SphereContacts,
                           CapsuleContacts, BoxContacts, FlatContacts, HullContacts, PlaneContacts,
                           SurfaceDistances, CompoundDistances, SurfaceContacts>;
 using Movements = NamedVolume<"Movements", SphereCasts, CapsuleCasts, FlatCasts, AabbCasts,
                               ObbCasts, HullCasts, MeshCasts, FieldCasts>;
-using Bodies =
-    NamedVolume<"Bodies", BoxImpacts, Characters, ScenePairs, MovingCapsules, FlatCharacters>;
+using Bodies = NamedVolume<"Bodies", BoxImpacts, Characters, ScenePairs, MovingCapsules,
+                           FlatCharacters, OrbitSights>;
 using Worlds = NamedVolume<"Worlds", FallingBodies, JoinedBodies, SolidBodies>;
 using Volumes = List<Basics, Pairs, Movements, Bodies, Worlds>;
 
