@@ -22,6 +22,7 @@ TEST_CASE("cast of round shapes: many more answers are exact", "[oracle][.demand
   for (const auto seed : demanded_seeds()) examine_round<q16_16, 3>(seed, 100);
 }
 
+#if DETENT_TEST_ALL
 // Examples of the same pairs, which share their instantiations.
 TEST_CASE("cast: a sphere or capsule against every kind of shape", "[cast]") {
   test::visit_round<q16_16, 3>(-3, [](const auto& shape) { test::check_casts<q16_16, 3>(shape); });
@@ -56,6 +57,7 @@ TEST_CASE("cast: a sphere touches the face, edge or corner of a box", "[cast]") 
   const auto pass = Sphere<S, 3>{{S(0), test::moved(test::num<S>(6), 1), S(0)}, test::num<S>(5)};
   CHECK_FALSE(cast(pass, right, test::num<S>(9), box));
 }
+#endif
 
 }  // namespace
 }  // namespace detent::oracle
