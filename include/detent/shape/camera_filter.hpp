@@ -101,13 +101,14 @@ template <class T, bool IsDown, Scalar S, Number Offset, Number Size>
         plus(quotient.template over<T>(x, half_size.x * height), Screen(middle.x)));
     const auto along = decide_nearest<Fixed<62, T::frac>>(
         plus(quotient.template over<T>(y, half_size.y * width), Screen(middle.y)));
-    const auto far = decide_nearest<Fixed<62, S::frac>>(Approximate{over_whole(depth), Steps<4>()});
+    const auto forward =
+        decide_nearest<Fixed<62, S::frac>>(Approximate{over_whole(depth), Steps<4>()});
     result.x = across.value;
     result.y = along.value;
-    result.depth = far.value;
-    bool is_sure = across.is_sure & along.is_sure & far.is_sure;
+    result.depth = forward.value;
+    bool is_sure = across.is_sure & along.is_sure & forward.is_sure;
     is_sure &= fits<T::bits - 1>(Vec{across.value, along.value});
-    is_sure &= fits<S::bits - 1>(far.value);
+    is_sure &= fits<S::bits - 1>(forward.value);
     if (is_sure) result.is_seen = Filtered::yes;
   };
   const auto signed_y = [&](const Value& y) { return IsDown ? y : narrow_negative(y); };

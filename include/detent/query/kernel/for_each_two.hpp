@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/number/require_cxx20.hpp"
+
 namespace detent::detail {
 
 /// Calls f(x, y) for every two of the things that `each(g)` passes to g; y comes before x.
