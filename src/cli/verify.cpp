@@ -65,12 +65,6 @@ struct Row {
   [[nodiscard]] bool is_golden() const {
     return std::all_of(cells.begin(), cells.end(), [](const Cell& c) { return c.is_golden(); });
   }
-  /// Of its questions, from those of each sheet.
-  [[nodiscard]] std::uint64_t digest_of(const std::vector<std::uint64_t>& questions) const {
-    Digest digest;
-    for (const Cell& cell : cells) digest.add(questions[cell.sheet]);
-    return digest.value();
-  }
   /// The number of questions of the row in a corpus of this size.
   [[nodiscard]] std::uint64_t questions(std::uint32_t size) const {
     return std::accumulate(
@@ -130,21 +124,6 @@ std::vector<Row> chosen_rows(const std::string& only) {
     throw InputError("--only: no query begins with \"" + only + "\"; choose from " + valid);
   }
   return chosen;
-}
-
-/// The digest of the questions of each sheet that these rows have cells of, and 0 for the others.
-std::vector<std::uint64_t> question_digests(const std::vector<Row>& rows, std::uint32_t size,
-                                            int threads) {
-  std::vector<char> wanted(sheets().size());
-  for (const Row& row : rows) {
-    for (const Cell& cell : row.cells) wanted[cell.sheet] = 1;
-  }
-  std::vector<std::uint64_t> digests(sheets().size());
-  for_each_index({threads, ""}, static_cast<int>(digests.size()), [&](int index) {
-    const auto sheet = static_cast<std::size_t>(index);
-    if (wanted[sheet]) digests[sheet] = verify::digest_of_questions(sheet, size);
-  });
-  return digests;
 }
 
 /// Runs the questions of all rows, on the given number of threads.
@@ -304,8 +283,7 @@ struct Report {
     return text + "    " + padded("got", 18) + finding.got + "\n";
   }
 
-  [[nodiscard]] std::string json(int threads) const {
-    const auto questions = question_digests(rows, size, threads);
+  [[nodiscard]] std::string json() const {
     Json root;
     root["results_version"] = results_version;
     root["compiler"] = words_of_environment();
@@ -317,7 +295,6 @@ struct Report {
     for (const Row& row : rows) {
       root["rows"].push_back({{"query", row.name},
                               {"queries", row.questions(size)},
-                              {"questions", digits(row.digest_of(questions))},
                               {"digest", digits(row.digest())},
                               {"golden", digits(row.golden())},
                               {"ok", row.is_golden()}});
@@ -403,6 +380,16 @@ std::string golden_array(const std::string& name, const std::vector<std::uint64_
   return text + "};\n";
 }
 
+/// The digest of the questions of each sheet.
+std::vector<std::uint64_t> question_digests(int threads) {
+  std::vector<std::uint64_t> digests(sheets().size());
+  for_each_index({threads, ""}, static_cast<int>(digests.size()), [&](int index) {
+    const auto sheet = static_cast<std::size_t>(index);
+    digests[sheet] = verify::digest_of_questions(sheet, verify::full_size);
+  });
+  return digests;
+}
+
 /// src/verify/golden.hpp for these answers to the full corpus, and this program's to the others.
 std::string golden_header(const std::vector<Row>& full, const std::vector<std::uint64_t>& questions,
                           int threads) {
@@ -444,8 +431,10 @@ std::string golden_header(const std::vector<Row>& full, const std::vector<std::u
 std::string results(const std::vector<Row>& rows, const std::vector<std::uint64_t>& questions) {
   std::string text;
   for (const Row& row : rows) {
-    text += std::to_string(results_version) + " " + row.name + " " +
-            digits(row.digest_of(questions)) + " " + digits(row.digest()) + "\n";
+    Digest asked;
+    for (const Cell& cell : row.cells) asked.add(questions[cell.sheet]);
+    text += std::to_string(results_version) + " " + row.name + " " + digits(asked.value()) + " " +
+            digits(row.digest()) + "\n";
   }
   return text;
 }
@@ -456,7 +445,7 @@ bool verify(const VerifyOptions& options) {
   if (options.golden || options.results) {
     auto rows = chosen_rows(options.golden ? "" : options.only);
     answer(rows, verify::full_size, false, options.threads);
-    const auto questions = question_digests(rows, verify::full_size, options.threads);
+    const auto questions = question_digests(options.threads);
     if (options.golden) print(golden_header(rows, questions, options.threads));
     if (options.results) print(results(rows, questions));
     return true;
@@ -482,7 +471,7 @@ bool verify(const VerifyOptions& options) {
   if (file) dump(*file, rows, size);
   const auto found = differences(rows, size, options.exact, options.threads);
   const Report report{rows, found, size, options.only.empty()};
-  print(options.json ? report.json(options.threads) : report.table());
+  print(options.json ? report.json() : report.table());
   return found.empty();
 }
 

@@ -161,6 +161,13 @@ void add_fields(Fields& fields, const HullPoints<S, N>& hull) {
   }
 }
 
+template <class Shape>
+void add_fields(Fields& fields, const Cast<Shape>& moving) {
+  add_fields(fields, moving.shape);
+  fields.emplace_back("direction", words(moving.direction));
+  fields.emplace_back("max_distance", words(moving.max_distance));
+}
+
 /// A field without a name is described by its own fields.
 template <class Case>
 requires requires { Case::field_names; }

@@ -99,12 +99,6 @@ void add_fields(Fields& fields, const CompoundParts<S, N>& parts) {
   add_numbered(fields, std::span(parts.spheres).first(parts.sphere_count));
   add_numbered(fields, std::span(parts.triangles).first(parts.triangle_count));
 }
-template <class Shape>
-void add_fields(Fields& fields, const Cast<Shape>& moving) {
-  add_fields(fields, moving.shape);
-  fields.emplace_back("direction", words(moving.direction));
-  fields.emplace_back("max_distance", words(moving.max_distance));
-}
 template <Scalar S>
 std::string words(const MeshContacts<S>& list) {
   std::string text = std::to_string(list.count);
@@ -114,20 +108,6 @@ std::string words(const MeshContacts<S>& list) {
   return text;
 }
 
-template <Scalar S, int N, class Target, class Shape>
-Fields fields_of(const TargetCase<S, N, Target, Shape>& c) {
-  Fields fields;
-  add_fields(fields, c.target);
-  add_fields(fields, c.shape);
-  return fields;
-}
-template <Scalar S, int N, class Target>
-Fields fields_of(const TargetCastCase<S, N, Target>& c) {
-  Fields fields;
-  add_fields(fields, c.target);
-  add_fields(fields, c.moving);
-  return fields;
-}
 template <Scalar S, int N>
 Fields fields_of(const MeshCase<S, N>& c) {
   Fields fields;

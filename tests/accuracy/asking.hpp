@@ -341,8 +341,14 @@ struct PairQuestion {
   typename B::template In<S> b;
 };
 
+/// A kind of question with no other formula to compare with.
+struct WithoutBaseline {
+  template <class S, class All>
+  static void add_baseline(std::vector<Cell>&, const All&, const Rung&, Inputs) {}
+};
+
 template <class A, class B, int N = 3>
-struct Overlap {
+struct Overlap : WithoutBaseline {
   using Question = PairQuestion<A, B, Carrier>;
   using Truth = bool;
   using DrawnA = decltype(Question::a);
@@ -381,8 +387,6 @@ struct Overlap {
       return overlaps(as_shape(a), as_shape(b));
     }
   }
-  template <class S, class All>
-  static void add_baseline(std::vector<Cell>&, const All&, const Rung&, Inputs) {}
 };
 
 /// The distance between two shapes.

@@ -91,7 +91,7 @@ struct ScreenTruth {
 };
 
 /// Where a camera sees a point. A hit is a point in front of it.
-struct Project {
+struct Project : WithoutBaseline {
   template <Scalar S>
   struct Asked {
     Eye<S> eye;
@@ -130,8 +130,6 @@ struct Project {
   static std::optional<ScreenPoint<S, S>> answer(const Asked<S>& q) {
     return project(q.eye.camera(), q.point);
   }
-  template <class S, class All>
-  static void add_baseline(std::vector<Cell>&, const All&, const Rung&, Inputs) {}
 };
 
 /// The ray of a pixel, and a ball that it may hit.
@@ -197,7 +195,7 @@ struct PickTruth {
 
 /// The ray under the mouse. A hit is one that meets a ball. For a `Fixed`, the ray with the exact
 /// direction, rounded to nearest, is right, even if the rounding decides.
-struct Pick {
+struct Pick : WithoutBaseline {
   template <Scalar S>
   struct Asked {
     Eye<S> eye;
@@ -249,8 +247,6 @@ struct Pick {
   static Ray<S, 3> answer(const Asked<S>& q) {
     return pick_ray(q.eye.camera(), q.x, q.y);
   }
-  template <class S, class All>
-  static void add_baseline(std::vector<Cell>&, const All&, const Rung&, Inputs) {}
 };
 
 }  // namespace

@@ -55,7 +55,7 @@ struct ImpactTruth {
   /// balls travel in one unit of time. That of `float` is measured by the units of q16_16.
   template <Scalar S>
   [[nodiscard]] Steps allowed() const {
-    const int unit = is_fixed<S> ? frac - fraction_bits<S>() : frac - 16;
+    const int unit = frac - fraction_bits<S>();
     const double travel = std::sqrt(oracle::dot(velocity, velocity).convert_to<double>());
     const int time_bits = is_fixed<S> ? numbers<S>.direction_bits : direction_frac;
     return Steps(static_cast<std::int64_t>(
@@ -93,7 +93,7 @@ struct ImpactTruth {
   }
 };
 
-struct Impacts {
+struct Impacts : WithoutBaseline {
   template <Scalar S>
   struct Asked {
     Flying<S> a, b;
@@ -141,8 +141,6 @@ struct Impacts {
     };
     return time_of_impact(ball(q.a), sweep(q.a), ball(q.b), sweep(q.b));
   }
-  template <class S, class All>
-  static void add_baseline(std::vector<Cell>&, const All&, const Rung&, Inputs) {}
 
  private:
   static void draw_ball(Stage& stage, Flying<Carrier>& body, const Place& by) {

@@ -19,7 +19,7 @@ struct CastQuestion {
 
 /// A moving shape against a solid one, judged by the distance.
 template <class A, class B, int N = 3>
-struct Casting {
+struct Casting : WithoutBaseline {
   using Question = CastQuestion<A, B, Carrier>;
   using Truth = Distance;
 
@@ -56,8 +56,6 @@ struct Casting {
     const auto hit = cast(as_shape(shape), in_plane(q.direction), q.max_distance, as_shape(target));
     return hit ? std::optional(hit->distance) : std::nullopt;
   }
-  template <class S, class All>
-  static void add_baseline(std::vector<Cell>&, const All&, const Rung&, Inputs) {}
 
  private:
   template <Scalar S>

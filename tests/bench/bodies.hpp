@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <utility>
 
 #include "bench/question.hpp"
 
@@ -75,16 +74,14 @@ inline constexpr int body_row_count = 12;
 /// Visits all rows.
 template <class Visit>
 void visit_bodies(const Visit& visit) {
-  [&]<int... Row>(std::integer_sequence<int, Row...>) { (visit_body<Row>(visit), ...); }
-  (std::make_integer_sequence<int, body_row_count>());
+  for_each_index<body_row_count>([&]<int Row>() { visit_body<Row>(visit); });
 }
 
 /// Adds a row to a suite: bodies.cpp, in an object of its own.
 template <int Row>
 void add_body(Suite& suite);
 inline void add_bodies(Suite& suite) {
-  [&]<int... Row>(std::integer_sequence<int, Row...>) { (add_body<Row>(suite), ...); }
-  (std::make_integer_sequence<int, body_row_count>());
+  for_each_index<body_row_count>([&]<int Row>() { add_body<Row>(suite); });
 }
 
 }  // namespace detent::bench

@@ -55,10 +55,7 @@ struct PairRow {
 /// Calls `visit` with every column.
 template <class Visit>
 void for_each_column(const Visit& visit) {
-  [&]<int... Column>(std::integer_sequence<int, Column...>) {
-    (visit.template operator()<Column>(), ...);
-  }
-  (std::make_integer_sequence<int, column_count>());
+  for_each_index<column_count>(visit);
 }
 
 /// Visits the query of a shape and that of a column.

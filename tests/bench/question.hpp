@@ -79,6 +79,15 @@ bool hits(const Q& query, const typename Q::template Question<S>& question) {
   }
 }
 
+/// Calls `visit` with every index below Count.
+template <int Count, class Visit>
+void for_each_index(const Visit& visit) {
+  [&]<int... Index>(std::integer_sequence<int, Index...>) {
+    (visit.template operator()<Index>(), ...);
+  }
+  (std::make_integer_sequence<int, Count>());
+}
+
 /// Whether `query` misses for some inputs.
 template <class Q>
 inline constexpr bool can_miss =

@@ -28,7 +28,7 @@ detail::Support<S, N> draw_support(Random& random, std::int64_t reach) {
   support.axes = turned.axes;
   support.place = make_vec<N>([&](int) {
     using Place = typename detail::Formats<S>::Place;
-    return Place::assume_raw(static_cast<typename Place::raw_type>(random.between(-reach, reach)));
+    return random.number<Place>(-reach, reach);
   });
   return support;
 }

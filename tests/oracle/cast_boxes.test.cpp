@@ -5,21 +5,12 @@
 namespace detent::oracle {
 namespace {
 
-template <Scalar S, int N>
-void examine_boxes(std::uint64_t seed, long count) {
-  CastExam<S, N> exam(seed);
-  CastShapes<S, N>::for_each([&]<class A>(const A&) {
-    if constexpr (is_box<A>) exam.template examine_all<A>(count);
-  });
-  exam.finish();
-}
-
 TEST_CASE("cast of boxes: every answer is exact", "[oracle]") {
-  examine_boxes<q16_16, 3>(0xca58, 12);
+  examine_casts<q16_16, 3, CastFamily::boxes>(0xca58, 12);
 }
 
 TEST_CASE("cast of boxes: many more answers are exact", "[oracle][.demand]") {
-  for (const auto seed : demanded_seeds()) examine_boxes<q16_16, 3>(seed, 100);
+  for (const auto seed : demanded_seeds()) examine_casts<q16_16, 3, CastFamily::boxes>(seed, 100);
 }
 
 // Examples of the same pairs, which share their instantiations.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <type_traits>
 
@@ -22,12 +23,15 @@ template <Scalar S, int N>
 using CastTargets = std::conditional_t<DETENT_TEST_ALL, support::AllShapes<S, N>,
                                        support::ShapeList<Sphere<S, N>, Obb<S, N>, Triangle<S, N>>>;
 
+/// Each has sources of its own, which takes less time and memory to compile.
+enum class CastFamily { round, boxes, polytopes };
+
 template <class Shape>
-inline constexpr bool is_round = requires(Shape shape) {
-  shape.radius;
-};
-template <class Shape>
-inline constexpr bool is_box = detail::is_kind<Shape, Aabb> || detail::is_kind<Shape, Obb>;
+inline constexpr auto family_of = [] {
+  if constexpr (requires(Shape shape) { shape.radius; }) return CastFamily::round;
+  constexpr bool is_box = detail::is_kind<Shape, Aabb> || detail::is_kind<Shape, Obb>;
+  return is_box ? CastFamily::boxes : CastFamily::polytopes;
+}();
 
 /// Compares the casts of random shapes at random targets with the oracle's. Every third cast goes
 /// from a corner of the range to anywhere within it.
@@ -188,5 +192,15 @@ class CastExam {
   Draw<S, N> draw_;
   long hits_ = 0, starts_ = 0, long_hits_ = 0, asked_ = 0;
 };
+
+/// Casts `count` of every shape of these families at every target.
+template <Scalar S, int N, CastFamily... Family>
+void examine_casts(std::uint64_t seed, long count) {
+  CastExam<S, N> exam(seed);
+  CastShapes<S, N>::for_each([&]<class A>(const A&) {
+    if constexpr (((family_of<A> == Family) || ...)) exam.template examine_all<A>(count);
+  });
+  exam.finish();
+}
 
 }  // namespace detent::oracle

@@ -12,6 +12,16 @@
 
 namespace detent::oracle {
 
+/// Whether a direction is the unit vector along `v`, each component rounded to nearest.
+template <Scalar S, int N>
+[[nodiscard]] bool is_unit_along(const Direction<S, N>& given, const Vector<N>& v) {
+  for (int i = 0; i < N; ++i) {
+    const Integer component = static_cast<std::int64_t>(given[i].raw());
+    if (component != unit_component<N>(v, static_cast<std::size_t>(i), one_of<S>())) return false;
+  }
+  return true;
+}
+
 /// Whether a contact is the oracle's: the depth rounded up; the normal rounded to nearest or, for a
 /// plane or for a box in its own frame along an axis, as stored.
 template <Scalar S, int N>
@@ -20,13 +30,7 @@ bool is_contact(const std::optional<Contact<S, N>>& found, const std::optional<P
   if (raw(found->depth) != std::min(truth->depth, raw(S::max()))) return false;
   const auto& n = truth->normal;
   if (is_zero(n)) return true;  // for a box in its own frame, if the frame is flat
-  bool is_rounded = true, is_stored = true;
-  for (std::size_t i = 0; i < n.size(); ++i) {
-    const Integer given = static_cast<std::int64_t>(found->normal[static_cast<int>(i)].raw());
-    is_rounded = is_rounded && given == unit_component<N>(n, i, one_of<S>());
-    is_stored = is_stored && given == n[i];
-  }
-  return is_rounded || is_stored;
+  return is_unit_along(found->normal, n) || widen(raw(found->normal)) == n;
 }
 
 /// A solid that is not a plane, translated by raw units.

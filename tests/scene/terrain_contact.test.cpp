@@ -45,14 +45,6 @@ oracle::Vector<3> normal_of(const Triangle<S, 3>& t) {
                        oracle::difference(oracle::raw(t.c), a));
 }
 
-bool is_along(const Direction<S, 3>& given, const oracle::Vector<3>& v) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Integer component = std::int64_t{given[static_cast<int>(i)].raw()};
-    if (component != oracle::unit_component<3>(v, i, oracle::one_of<S>())) return false;
-  }
-  return true;
-}
-
 /// The length of the translation along `normal` that lifts a shape above the plane of a triangle,
 /// rounded up.
 template <class Shape>
@@ -122,8 +114,8 @@ void check_contacts(const Surface& surface, const Ground& ground, const Shape& s
     }
     ++counts.lifted;
     const auto down = oracle::negated(up);
-    const bool is_up = is_along(contact.normal, up);
-    REQUIRE((is_up || (facing == Facing::both && is_along(contact.normal, down))));
+    const bool is_up = oracle::is_unit_along(contact.normal, up);
+    REQUIRE((is_up || (facing == Facing::both && oracle::is_unit_along(contact.normal, down))));
     CHECK(oracle::raw(contact.depth) == lift(triangle, is_up ? up : down, shape));
     CHECK(oracle::raw(contact.depth) >= truth->depth);
   }
@@ -211,7 +203,8 @@ TEST_CASE("terrain contacts: bodies that roll over tessellated planes meet only 
                 facing == Facing::both &&
                 lift(ground.front(), up, shape) > oracle::raw(S(detail::radius_of(shape)));
             const auto& normal = found[k].contact.normal;
-            CHECK((is_along(normal, up) || (may_sink && is_along(normal, oracle::negated(up)))));
+            CHECK((oracle::is_unit_along(normal, up) ||
+                   (may_sink && oracle::is_unit_along(normal, oracle::negated(up)))));
           }
           met += count > 0;
         });

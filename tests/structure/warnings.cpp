@@ -146,7 +146,7 @@ int surfaces(const Numbers<q16_16>& numbers) {
   return static_cast<int>(count);
 }
 
-/// A wheel with its center left of the origin, and one of several parts.
+/// Negative literals initialize members.
 struct Wheel {
   Vec<q16_16, 2> center{-6_q16_16, 0.5_q16_16};
   q16_16 radius = 1_q16_16;

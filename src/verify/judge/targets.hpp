@@ -98,9 +98,7 @@ bool is_face_contact(const Contact<S, 3>& found, const Triangle<S, 3>& triangle,
   if (oracle::is_zero(normal)) return false;
   const auto given = oracle::widen(raw_of(found.normal.vec()));
   if (oracle::dot(given, normal) < 0) normal = oracle::negated(normal);
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (given[i] != oracle::unit_component<3>(normal, i, oracle::one_of<S>())) return false;
-  }
+  if (!oracle::is_unit_along(found.normal, normal)) return false;
   std::optional<Integer> height;
   for (std::size_t i = 0; i < hull.count; ++i) {
     const Integer h = oracle::dot(normal, oracle::difference(a, oracle::raw(hull.points[i])));

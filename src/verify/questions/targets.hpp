@@ -83,6 +83,7 @@ struct TargetCase {
   Target target;
   Shape shape;
 
+  static constexpr std::array<std::string_view, 2> field_names{"", ""};
   constexpr auto fields(const auto& f) const noexcept { return f(target, shape); }
 };
 
@@ -154,6 +155,7 @@ struct TargetCastCase {
   Target target;
   Cast<Sphere<S, N>> moving;
 
+  static constexpr std::array<std::string_view, 2> field_names{"", ""};
   constexpr auto fields(const auto& f) const noexcept { return f(target, moving); }
 };
 
