@@ -161,6 +161,9 @@ run 0 --no-install --record right
 recorded=$(grep -v '^#' tests/platforms/results)
 [[ $recorded =~ ^'float|as before'$'\n''row||right|'[^$'\n']*'|equal|'[^$'\n']*'|7'$'\n''row||small|as before'$ ]] ||
   complain "run --record right writes: $recorded"
+run 1 --no-install --record broken
+grep -qF '|does not compile: broken/program.log|' tests/platforms/results ||
+  complain "run --record broken writes: $(grep broken tests/platforms/results)"
 
 run 0 --list good
 [[ $(cat printed) == $'right\nsmall\nparts\nconstant' ]] || complain "run --list lists something else"
