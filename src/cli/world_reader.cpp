@@ -395,6 +395,9 @@ class WorldReader : private JsonFields {
       }
       joint.anchor_a = joint.anchor_b = point(*at, "at");
     } else {
+      if (!find(node, "at_a") && !find(node, "at_b")) {
+        fail(node, owner + " has no anchor; write \"at\", or \"at_a\" and \"at_b\"");
+      }
       joint.anchor_a = point(node, "at_a", owner);
       joint.anchor_b = point(node, "at_b", owner);
     }
@@ -406,6 +409,13 @@ class WorldReader : private JsonFields {
       const auto from = number(limits->items[0], "limits"), to = number(limits->items[1], "limits");
       if ((to.value - from.value).is_negative()) {
         fail(*limits, "limits are not in order; write the lower one first");
+      }
+      if (joint.kind == JointKind::hinge || joint.kind == JointKind::cone) {
+        if (is_beyond_pi(from.value) || is_beyond_pi(to.value)) {
+          fail(*limits,
+               "limits of " + owner +
+                   " are not within -pi and pi; write radians, or omit them for whole turns");
+        }
       }
       joint.limits = {from, to};
     }
@@ -421,6 +431,12 @@ class WorldReader : private JsonFields {
     joint.motor_torque = maybe_positive(node, "motor_torque");
     joint.motor_force = maybe_positive(node, "motor_force");
     return joint;
+  }
+
+  /// Half a turn is where the angle of a hinge and the twist of a cone end.
+  static bool is_beyond_pi(const Decimal& angle) {
+    static const Decimal pi = *Decimal::parse("3.14159265358979323846");
+    return (pi - (angle.is_negative() ? -angle : angle)).is_negative();
   }
 
   /// The kind of a joint, whose other keys are those of that kind.

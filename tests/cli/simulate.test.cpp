@@ -297,10 +297,18 @@ TEST_CASE("detent simulate: errors in a world are named by line, and nothing is 
               "], \"joints\": [\n{\"type\": \"ball\", \"a\": \"b\", "
               "\"b\": \"b\", \"limits\": [0, 0]}]}",
           "2:38: unknown key \"limits\" in the ball joint; it may have type, a, b, at,");
-  refused("{\"bodies\": [" + ball + ", {\"id\": \"c\"" + ball.substr(ball.find(',')) +
-              "], \"joints\": [\n{\"type\": \"hinge\", \"a\": \"b\", "
-              "\"b\": \"c\", \"at\": [0, 0, 0], \"limits\": [1, -0.5]}]}",
+  const auto joint = [&](const std::string& keys) {
+    return "{\"bodies\": [" + ball + ", {\"id\": \"c\"" + ball.substr(ball.find(',')) +
+           "], \"joints\": [\n{\"type\": \"hinge\", \"a\": \"b\", \"b\": \"c\", " + keys + "}]}";
+  };
+  refused(joint("\"at\": [0, 0, 0], \"limits\": [1, -0.5]"),
           "2:66: limits are not in order; write the lower one first");
+  refused(joint("\"at\": [0, 0, 0], \"limits\": [-1, 3.2]"),
+          "2:66: limits of the hinge joint are not within -pi and pi; write radians, or omit them");
+  refused(joint("\"at\": [0, 0, 0], \"limits\": [-3.15, 3]"), "2:66: limits of the hinge joint");
+  refused(joint("\"collide\": true"),
+          "2:1: the hinge joint has no anchor; write \"at\", or \"at_a\"");
+  refused(joint("\"at_b\": [0, 0, 0]"), "2:1: the hinge joint has no \"at_a\"; add it");
   refused("{\"bodies\": [\n{\"type\": \"compound\", \"parts\": []}]}",
           "2:31: the compound has no parts; give it a shape");
   refused(
