@@ -236,7 +236,7 @@ int main() {
     }
   }
   seen[4] = game.players[0].deaths + game.players[1].deaths;
-  const auto result = detail::WorldDigest(game).all();
+  const auto result = world_digest(game);
   std::printf("lift %d, disc %d, sight %d, air %d, deaths %d, digest %016llx\n", seen[0], seen[1],
               seen[2], seen[3], seen[4], static_cast<unsigned long long>(result));
   for (const int count : seen) {

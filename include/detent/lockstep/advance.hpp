@@ -85,7 +85,7 @@ void Session<World, Input, Limits>::close_frame() {
   ++simulated_;
   --left_;
   while (checksums_.count() < final_frame()) {
-    checksums_.add(detail::WorldDigest(timeline_.result(checksums_.count())).all());
+    checksums_.add(detent::world_digest(timeline_.result(checksums_.count())));
   }
 }
 

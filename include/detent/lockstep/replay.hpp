@@ -122,7 +122,7 @@ class ReplayWriter : detail::ReplayFormat {
     const auto size = (bits_ + 7) / 8;
     detail::store_word(block_.data(), static_cast<std::uint16_t>(size));
     detail::store_word(block_.data() + 2, static_cast<std::uint8_t>(frames_));
-    detail::store_word(block_.data() + 3, detail::WorldDigest(world).all());
+    detail::store_word(block_.data() + 3, detent::world_digest(world));
     seed_ = detail::digest_from(seed_, std::span<const std::byte>(block_).first(block_head + size));
     detail::store_word(block_.data() + block_head + size, static_cast<std::uint32_t>(seed_));
     sink(std::span<const std::byte>(block_.data(), block_head + size + sum));
@@ -272,7 +272,7 @@ template <class Input, std::size_t Players = 8, RollbackWorld World, class Simul
     ++check.frames;
   };
   while (const auto digest = replay.next_block(one)) {
-    check.is_equal = detail::WorldDigest(world).all() == *digest;
+    check.is_equal = detent::world_digest(world) == *digest;
     if (!check.is_equal) break;
     check.equal = check.frames;
   }

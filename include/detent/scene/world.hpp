@@ -161,4 +161,10 @@ class WorldDigest {
 
 }  // namespace detail
 
+/// A digest of all fields of `world`, equal on machines whose worlds are equal.
+template <RollbackWorld World>
+[[nodiscard]] constexpr std::uint64_t world_digest(const World& world) {
+  return detail::WorldDigest(world).all();
+}
+
 }  // namespace detent
