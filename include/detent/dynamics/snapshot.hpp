@@ -416,7 +416,7 @@ constexpr std::size_t snapshot(const BasicWorld<Storage, S, N, Shapes...>& world
                                std::span<std::byte> room) noexcept {
   const auto header = detail::header_of(world);
   if (room.size() >= header.byte_count) detail::write_world(header, world, room.data());
-  return header.byte_count;
+  return static_cast<std::size_t>(header.byte_count);
 }
 
 #if __STDC_HOSTED__

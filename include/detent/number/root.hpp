@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 #include "detent/number/wide.hpp"
@@ -35,7 +36,7 @@ inline constexpr auto root_chords = [] {
 ///
 /// A chord lies below the root by at most 2^-17 of it, and quantizing adds 2^-19.
 constexpr std::uint32_t root_guess(std::uint64_t a) noexcept {
-  const std::uint32_t chord = root_chords[(a >> 56) - 64];
+  const std::uint32_t chord = root_chords[static_cast<std::size_t>(a >> 56) - 64];
   const std::uint64_t along = (a >> 40) & 0xffff;
   return (chord >> 12) + static_cast<std::uint32_t>(((chord & 0xfff) * along) >> 16);  // Q20
 }
@@ -70,7 +71,7 @@ inline constexpr auto reciprocal_root_chords = [] {
 /// For x = a / 2^64, the curve bends by 3/32 (1/256)^2 / x^2 of the value between the ends, half of
 /// which is below 2^-20.4 / x^2, and quantizing adds less than 1.5 steps of 2^-18.
 constexpr std::uint32_t reciprocal_root_guess(std::uint64_t a) noexcept {
-  const std::uint32_t chord = reciprocal_root_chords[(a >> 56) - 64];
+  const std::uint32_t chord = reciprocal_root_chords[static_cast<std::size_t>(a >> 56) - 64];
   const std::uint64_t fall = (chord & 0xfff) * ((a >> 40) & 0xffff);
   return (chord >> 12) - static_cast<std::uint32_t>(fall >> 16);
 }

@@ -190,7 +190,8 @@ class ShapeScene : public Stage<S, N> {
       const auto edge = corners[1] - corners[0];
       corners[2] = corners[0] + edge * random.between(-1, 2);
     }
-    const auto first = random.below(3), second = (first + 1 + random.below(2)) % 3;
+    const auto first = static_cast<std::size_t>(random.below(3));
+    const auto second = (first + 1 + static_cast<std::size_t>(random.below(2))) % 3;
     return {Base::vec(corners[first]), Base::vec(corners[second]),
             Base::vec(corners[3 - first - second])};
   }

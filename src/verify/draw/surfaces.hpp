@@ -76,7 +76,7 @@ class SurfaceScene : public ShapeScene<S, 3> {
         const auto a = knot(step), b = knot(step);
         triangle = {Base::vec(a), Base::vec(b), Base::vec(knot(step))};
       } else {
-        const auto& old = mesh.triangles[random.below(i)];
+        const auto& old = mesh.triangles[static_cast<std::size_t>(random.below(i))];
         triangle = random.coin() ? Triangle<S, 3>{old.b, old.c, old.a} : Base::triangle();
       }
     }
@@ -111,7 +111,7 @@ class SurfaceScene : public ShapeScene<S, 3> {
   /// triangles; one time in three to anywhere near.
   constexpr void aim_at(const MeshTriangles<S>& mesh) noexcept {
     if (mesh.count == 0 || random.one_in(3)) return Base::wander();
-    const auto& triangle = mesh.triangles[random.below(mesh.count)];
+    const auto& triangle = mesh.triangles[static_cast<std::size_t>(random.below(mesh.count))];
     aim_between(triangle.a, triangle.b, triangle.c);
   }
   constexpr void aim_at(const FieldSamples<S>& field) noexcept {
