@@ -23,8 +23,8 @@ namespace {
 
 using S = q16_16;
 using Vec3 = Vec<S, 3>;
-using Bodies =
-    World<S, 3, Sphere, Obb, BodyHull, BodyCompound, BodyMesh, BallJoint, HingeJoint, WheelJoint>;
+using Bodies = World<S, 3, Sphere, Obb, BodyHull, BodyCompound, BodyMesh, BallJoint, ConeJoint,
+                     HingeJoint, WheelJoint>;
 using Snapshot = std::vector<std::byte>;
 
 /// A point in quarters of a unit.
@@ -72,7 +72,7 @@ Bodies level(bool holds) {
 }
 
 /// Bodies of every kind on the ground, some with joints, some pushed, after a few ticks.
-Bodies busy(bool holds) {
+Bodies busy(bool holds, bool has_cones) {
   Bodies world = level(holds);
   std::vector<BodyId> ids;
   for (int i = 0; i < 10; ++i) {
@@ -98,11 +98,20 @@ Bodies busy(bool holds) {
     joint.anchor_b = at(-2, 0, 0);
     world.add(joint);
   };
-  join(BallJoint<S, 3>(), 0, 1);
-  HingeJoint<S, 3> hinge;
-  hinge.has_limits = true;
-  hinge.upper = quarters(2);
-  join(hinge, 2, 3);
+  if (has_cones) {
+    ConeJoint<S, 3> cone;
+    cone.cone_angle = quarters(1);
+    join(cone, 0, 1);
+    cone.has_limits = true;
+    cone.upper = quarters(2);
+    join(cone, 2, 3);
+  } else {
+    join(BallJoint<S, 3>(), 0, 1);
+    HingeJoint<S, 3> hinge;
+    hinge.has_limits = true;
+    hinge.upper = quarters(2);
+    join(hinge, 2, 3);
+  }
   WheelJoint<S, 3> wheel;
   wheel.frequency = quarters(8);
   wheel.motor_torque = quarters(4);
@@ -167,10 +176,12 @@ void require_both() {
 }  // namespace
 
 void property(Bytes input) {
-  static const std::array worlds{busy(false), busy(true)};
-  static const std::array snapshots{bytes_of(worlds[0]), bytes_of(worlds[1])};
+  static const std::array worlds{busy(false, false), busy(true, false), busy(false, true),
+                                 busy(true, true)};
+  static const std::array snapshots{bytes_of(worlds[0]), bytes_of(worlds[1]), bytes_of(worlds[2]),
+                                    bytes_of(worlds[3])};
   Source source(input);
-  const auto which = source.below(2);
+  const auto which = source.below(4);
   auto bytes = snapshots[which];
   while (!source.rest().empty() && bytes.size() > 8) change(bytes, source);
   seal(bytes);
@@ -184,7 +195,7 @@ void property(Bytes input) {
   }
   ++restored;
   require(bytes_of(world) == bytes, [] { return std::string("restored, and has other bytes"); });
-  auto fresh = level(which == 1);
+  auto fresh = level(which % 2 == 1);
   require(restore_all(fresh, bytes) == Restored::yes, [] { return std::string("only once"); });
   for (int t = 0; t < 3; ++t) {
     world.step();

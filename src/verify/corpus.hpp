@@ -145,6 +145,11 @@ using SurfaceContacts =
     LargePart<"SurfaceContacts", TargetContacts<MeshKind>, TargetContacts<FieldKind>>;
 using MeshCasts = LargePart<"MeshCasts", TargetCasts<MeshKind>>;
 using FieldCasts = LargePart<"FieldCasts", TargetCasts<FieldKind>>;
+using CompoundSphereCasts = LargePart<"CompoundSphereCasts", TargetCasts<CompoundKind>>;
+using CompoundCapsuleCasts =
+    LargePart<"CompoundCapsuleCasts", TargetCasts<CompoundKind, CapsuleKind>>;
+using CompoundObbCasts = LargePart<"CompoundObbCasts", TargetCasts<CompoundKind, ObbKind>>;
+using CompoundHullCasts = LargePart<"CompoundHullCasts", TargetCasts<CompoundKind, HullKind>>;
 using BoxImpacts = LargePart<"BoxImpacts", Impacts<ObbKind, ObbKind>>;
 using Characters = LargePart<"Characters", Walks>;
 using ScenePairs = NamedPart<"ScenePairs", SceneEvents>;
@@ -154,6 +159,7 @@ using OrbitSights = NamedPart<"OrbitSights", SceneViews>;
 using FallingBodies = LargePart<"FallingBodies", Piles>;
 using JoinedBodies = LargePart<"JoinedBodies", Linkages>;
 using SolidBodies = LargePart<"SolidBodies", Solids>;
+using ConedBodies = LargePart<"ConedBodies", Cones>;
 
 namespace detail {
 
@@ -197,10 +203,11 @@ using Pairs = NamedVolume<"Pairs", MoreDistances, SpherePairPoints, CapsulePairP
                           CapsuleContacts, BoxContacts, FlatContacts, HullContacts, PlaneContacts,
                           SurfaceDistances, CompoundDistances, SurfaceContacts>;
 using Movements = NamedVolume<"Movements", SphereCasts, CapsuleCasts, FlatCasts, AabbCasts,
-                              ObbCasts, HullCasts, MeshCasts, FieldCasts>;
+                              ObbCasts, HullCasts, MeshCasts, FieldCasts, CompoundSphereCasts,
+                              CompoundCapsuleCasts, CompoundObbCasts, CompoundHullCasts>;
 using Bodies = NamedVolume<"Bodies", BoxImpacts, Characters, ScenePairs, MovingCapsules,
                            FlatCharacters, OrbitSights>;
-using Worlds = NamedVolume<"Worlds", FallingBodies, JoinedBodies, SolidBodies>;
+using Worlds = NamedVolume<"Worlds", FallingBodies, JoinedBodies, SolidBodies, ConedBodies>;
 using Volumes = List<Basics, Pairs, Movements, Bodies, Worlds>;
 
 using Parts = detail::PartsOf<Volumes>::type;

@@ -283,7 +283,7 @@ std::string words(const BodyOptions<S, N>& options) {
   return text + (options.is_fast ? ", fast" : "");
 }
 template <Scalar S, int N, std::size_t Count>
-Fields fields_of(const WorldCase<S, N, Count>& c) {
+Fields fields_of_world(const WorldCase<S, N, Count>& c) {
   Fields fields{{"gravity", words(c.settings.gravity)}};
   for (std::size_t i = 0; i < Count; ++i) {
     fields.emplace_back("body " + std::to_string(i), words(c.bodies[i]));
@@ -291,9 +291,13 @@ Fields fields_of(const WorldCase<S, N, Count>& c) {
   }
   return fields;
 }
+template <Scalar S, int N, std::size_t Count>
+Fields fields_of(const WorldCase<S, N, Count>& c) {
+  return fields_of_world(c);
+}
 template <Scalar S, int N>
 Fields fields_of(const SolidsCase<S, N>& c) {
-  auto fields = fields_of<S, N, 6>(c);
+  auto fields = fields_of_world(c);
   for (const auto& hull : c.hulls) add_fields(fields, hull);
   for (std::size_t i = 0; i < c.parts.size(); ++i) {
     fields.emplace_back("part " + std::to_string(i) + " of the compound", words(c.parts[i]));
@@ -301,9 +305,9 @@ Fields fields_of(const SolidsCase<S, N>& c) {
   }
   return fields;
 }
-template <Scalar S, int N>
-Fields fields_of(const JointsCase<S, N>& c) {
-  auto fields = fields_of<S, N, 7>(c);
+template <HasJoints Case>
+Fields fields_of(const Case& c) {
+  auto fields = fields_of_world(c);
   c.for_each_joint([&]<class Joint>(const Joint& joint) {
     const auto name = "joint " + std::to_string(joint.a.index);
     const auto say = [&](const char* what, const auto& value) {
@@ -313,8 +317,9 @@ Fields fields_of(const JointsCase<S, N>& c) {
     say("collide", joint.collide);
     say("break force", joint.break_force);
     if constexpr (requires { joint.frame_a; }) {
-      for (int i = 0; i < N; ++i) say("axis of the frame", joint.frame_a.axis(i));
+      for (int i = 0; i < c.dimension; ++i) say("axis of the frame", joint.frame_a.axis(i));
     }
+    if constexpr (requires { joint.cone_angle; }) say("cone angle", joint.cone_angle);
     if constexpr (requires { joint.least; }) {
       say("least", joint.least);
       say("most", joint.most);
@@ -328,8 +333,8 @@ Fields fields_of(const JointsCase<S, N>& c) {
       say("has limits", joint.has_limits);
       say("lower", joint.lower);
       say("upper", joint.upper);
-      say("motor speed", joint.motor_speed);
     }
+    if constexpr (requires { joint.motor_speed; }) say("motor speed", joint.motor_speed);
   });
   return fields;
 }

@@ -12,7 +12,7 @@ namespace detent::verify::golden {
 
 inline constexpr int results_version = 7;
 
-inline constexpr std::array<std::uint64_t, 1500> full{
+inline constexpr std::array<std::uint64_t, 1540> full{
     0x97ae3c39ec4fd127u, 0x117e9eac14b96f24u, 0x0268b959be17a001u, 0x3b2f10e93b59eb5bu,
     0x16beca3a93e07cecu, 0xbff2d97703cca403u, 0xa422a1749b6337dau, 0x858521be50ba99bbu,
     0xfbbf9b048e41645cu, 0x2e89f89bc2559801u, 0xd4626146231a0f9fu, 0xfe5012d8667d6780u,
@@ -362,6 +362,14 @@ inline constexpr std::array<std::uint64_t, 1500> full{
     0xb9ec38026c6aee38u, 0x5a4ad3588c962473u, 0x4923d3b1dd9893a3u, 0x26cdecd3bdd6cdf2u,
     0x18abcb674b883897u, 0x1b274a0269767dafu, 0xad57bbf6e9f9f79fu, 0x929fedc14d872459u,
     0xe7a75d1315e3fc5eu, 0xf36a5496c3044fc0u, 0x16984901c6fad9a1u, 0xd47b8ac0c1ac66c0u,
+    0xce32b4f879307c2cu, 0x8f8ec87d54125003u, 0xe9a5617fcd2b5e10u, 0x843e083431f20b52u,
+    0x702e18ac5672c362u, 0x6aad5e78ca3eea83u, 0x7c7f8790623c1005u, 0x980f7ca9b33a09b0u,
+    0xa5de35cbc73eeb77u, 0x132fc425dc71c15fu, 0xaca66fabbdb9de53u, 0x0e07e0e4d27801e1u,
+    0x1d3f0a7f5e010cb1u, 0x23615e399d4f6a3du, 0x5d6b6b8567227312u, 0x419bd9d1474f2d7fu,
+    0x7c9d953c57db4d1eu, 0xfe43dda3d8d8f577u, 0x7405083a14b7899fu, 0x0e376fd44c116e61u,
+    0x8f990ccee2713492u, 0xb5179ac4304ef48du, 0x41187173be21fb86u, 0x4a5d7887df5fc39du,
+    0x5de154766bbe7ff7u, 0x7e6e13391a3a4d63u, 0xcf3af70d5fb31f85u, 0x50404d0aed59c0d5u,
+    0x7058f98ac5c95850u, 0x0129705eb1b2f1cfu, 0x1eda6afde2d75b53u, 0x00d224f0b3721c5du,
     0x9214441de1413035u, 0x0b44ea23d8e6090au, 0xe7b6a076c0f4d738u, 0x4e970ada2acc8fbau,
     0xa03c92dd6f7a1bbcu, 0x6e16586c0666b081u, 0x668fc465a97ada3bu, 0x0bbf311c1e545592u,
     0x1ee537a7ff106530u, 0x158aebb9a200ba37u, 0xfd10f1aaa898fc6fu, 0x91580ed4dd8bd990u,
@@ -387,9 +395,11 @@ inline constexpr std::array<std::uint64_t, 1500> full{
     0x647ed665cb8bad6eu, 0x9f2146d7a5b30cd2u, 0x5719cae650c7f1d2u, 0x626f9ee08eea3facu,
     0x6ed68fb3c52abec1u, 0xef35d5a48c127260u, 0x0de69f3bb9d9acfau, 0x9fd5566798318797u,
     0x222e15b16034f19au, 0x592de392b15093fcu, 0x4ba764fa88bf2427u, 0x072225d3cd0e1003u,
-    0x096baa44267a5a1eu, 0x957b2aa390ca7e98u, 0xee6d5a1cba1ba654u, 0x69f2e7f638f141d7u,};
+    0x096baa44267a5a1eu, 0x957b2aa390ca7e98u, 0xee6d5a1cba1ba654u, 0x69f2e7f638f141d7u,
+    0xa89b25b7d53194e1u, 0x9b01ed82e46ca987u, 0x5c123f41a7bd6051u, 0xdf47d903b95a6a5cu,
+    0x91d6830bd9e29796u, 0x7490e8cc9f5456d9u, 0x68e2ecfe5ecb54a2u, 0x363553ba471cd5cau,};
 
-inline constexpr std::array<std::uint64_t, 1500> small{
+inline constexpr std::array<std::uint64_t, 1540> small{
     0x6a508b1352a203c5u, 0xab982a9cccbec08du, 0x92592ef254b60b60u, 0x7d5325eee9de80b9u,
     0x077060a270c20f04u, 0xe0dcfbcb76a2ebc9u, 0x5fbe626dafbb6d5cu, 0xfd70028b42642aceu,
     0xd2aa0f0f4747260du, 0x34d5682aab0ad0b3u, 0xd088fbe32274c866u, 0xaca42b96d686f2c3u,
@@ -739,6 +749,14 @@ inline constexpr std::array<std::uint64_t, 1500> small{
     0xf432fe7895237d3au, 0xad24c76aa4f4599du, 0x6626fcb9949b3507u, 0xb35f6678832c2c25u,
     0x068e9fddb90fc8ecu, 0x9317415b33c48f5eu, 0x1d492783e003810bu, 0xe2e071842e2c64afu,
     0x9aaba41ffa2da101u, 0xb151ef3b0f109ba9u, 0x9aaba41ffa2da101u, 0x9aaba41ffa2da101u,
+    0x18ccd2cdf9e04c70u, 0xb2aa8567f55e6e8fu, 0x89658ecc8080d934u, 0xec42ff6dd1d37098u,
+    0xb0f645afb933bf81u, 0x9aaba41ffa2da101u, 0xa574cf66105bb619u, 0x67fbc225c8716c01u,
+    0x07f75b2860f77f19u, 0x3ef9b6370c3269fau, 0xf4ca80a1ff5f6521u, 0x9aaba41ffa2da101u,
+    0x6dc43bfcdfd3bf3eu, 0x7c8d4a1657e5ac7fu, 0x9aaba41ffa2da101u, 0x9aaba41ffa2da101u,
+    0x8642e01ed867c3e8u, 0x687bee82acdaf9a7u, 0x9f3573bfc9998f37u, 0x0f8166a5aa537337u,
+    0x5f26aef5c0142517u, 0xa07fee1c1c05518au, 0x574faf84f758a6cbu, 0x5e42cc12d3c9faceu,
+    0x0e1b32d536ee95ecu, 0xf1d6b77c83c86329u, 0xb80ae06b005813f0u, 0xdf46999046e25843u,
+    0x091ea5d7e707e800u, 0xa6462fa0418f75bcu, 0x9f36cb0247a7faadu, 0x4e05acca1326483fu,
     0x9aaba41ffa2da101u, 0x7eee9fe2a4f878a5u, 0x97a86897b737b597u, 0xb922368c7a7a1b59u,
     0xf7c93952a40d5fbau, 0x8f11c3a5defdd923u, 0xb1a11241efa5cb2du, 0xaabbab25fd89c084u,
     0x5ec465bd5130406du, 0x8206207751870742u, 0x4ad783329a1c4e55u, 0xe471ea24b8e9d458u,
@@ -764,9 +782,11 @@ inline constexpr std::array<std::uint64_t, 1500> small{
     0xb47c9891ce060398u, 0x7dd7e43d362a8f4eu, 0x72a76018444b5345u, 0x1f715668db956639u,
     0xf9f7356d33bac3eeu, 0x77e4119665d3249eu, 0x127ae18c49168efcu, 0x48b78e5b5f158302u,
     0xe063def0e97c1c57u, 0x45e54512b893273du, 0x235c4e595bd16b78u, 0x1628f117b68dcdb5u,
-    0xb257aaa9c17ec507u, 0xaaf92a393e8d8a44u, 0xb63ac9ea8c7e6f7fu, 0xb030784f485f1c71u,};
+    0xb257aaa9c17ec507u, 0xaaf92a393e8d8a44u, 0xb63ac9ea8c7e6f7fu, 0xb030784f485f1c71u,
+    0x7649daabb72b3f68u, 0x4a3ef3edce3e4315u, 0x74f117f7e4d32054u, 0x0f4d028aff24a678u,
+    0x1a095d58f43915edu, 0xd0426ac5e89b2dd6u, 0x5df2fa53e1b56d9bu, 0x4af9eec52591ecf4u,};
 
-inline constexpr std::array<std::uint64_t, 1500> constant{
+inline constexpr std::array<std::uint64_t, 1540> constant{
     0x37b03ed6ca8838feu, 0x31886f2e7daf8ca4u, 0x31886f2e7daf8ca4u, 0xa98d17e89491ad47u,
     0x1c7d9551a5a5e6d9u, 0x6a326aea128c70adu, 0x2f3bcf22fa9dde67u, 0x3c7036a01f2b1cd2u,
     0xfa83f2e44ac50c40u, 0x31886f2e7daf8ca4u, 0x31886f2e7daf8ca4u, 0x9a46568bf739527eu,
@@ -1116,6 +1136,14 @@ inline constexpr std::array<std::uint64_t, 1500> constant{
     0x7c17fe5bf65ea8deu, 0x3df4405868fcf4c0u, 0xe934a84adb052768u, 0xa17bae584de373fcu,
     0x5fa2e6cb1abc3baau, 0xe934a84adb052768u, 0x4c9e169e0a97f3b9u, 0xe934a84adb052768u,
     0xe934a84adb052768u, 0xd201f60cc67e243eu, 0xe934a84adb052768u, 0xe934a84adb052768u,
+    0x2be99a1c0579bec2u, 0xca28f4f62522048cu, 0x886df762223fda86u, 0xe934a84adb052768u,
+    0xcb40709a36dbb6eau, 0xe934a84adb052768u, 0x3935e95c534e1914u, 0x30549b6401f4d633u,
+    0xe934a84adb052768u, 0xcecd0e0b033bedbeu, 0x4bc3b9a29c5f871fu, 0xe934a84adb052768u,
+    0xe934a84adb052768u, 0x0f2615a259bbc17au, 0xe934a84adb052768u, 0xe934a84adb052768u,
+    0xb93a7cd5a797c056u, 0x8205e5833cad3868u, 0x3174ee796505b4eau, 0xb2075154ae425342u,
+    0xe934a84adb052768u, 0xcfd83da24a5c89b3u, 0xf48b8300924bb571u, 0x09f339621c16b145u,
+    0xe23829cb50b516e5u, 0xc1255c997fe19250u, 0xe934a84adb052768u, 0x67bf3e971bf9ac82u,
+    0xcfc456aba2c43037u, 0x08f26f9f645386c3u, 0xec88c495e1a96c0au, 0x79c11c423c0e062du,
     0xe934a84adb052768u, 0x3863fef10cd71113u, 0x2209543f66b9ba66u, 0x8b296e38e9b0c214u,
     0xe934a84adb052768u, 0x17f0e2df31cec3a3u, 0xd1764b837e0897c3u, 0xcd85f9979df265eeu,
     0x5ec465bd5130406du, 0x8206207751870742u, 0x4ad783329a1c4e55u, 0xe471ea24b8e9d458u,
@@ -1141,10 +1169,12 @@ inline constexpr std::array<std::uint64_t, 1500> constant{
     0xb47c9891ce060398u, 0x7dd7e43d362a8f4eu, 0x72a76018444b5345u, 0x1f715668db956639u,
     0xf9f7356d33bac3eeu, 0x77e4119665d3249eu, 0x127ae18c49168efcu, 0x48b78e5b5f158302u,
     0xe063def0e97c1c57u, 0x45e54512b893273du, 0x235c4e595bd16b78u, 0x1628f117b68dcdb5u,
-    0xb257aaa9c17ec507u, 0xaaf92a393e8d8a44u, 0xb63ac9ea8c7e6f7fu, 0xb030784f485f1c71u,};
+    0xb257aaa9c17ec507u, 0xaaf92a393e8d8a44u, 0xb63ac9ea8c7e6f7fu, 0xb030784f485f1c71u,
+    0x7649daabb72b3f68u, 0x4a3ef3edce3e4315u, 0x74f117f7e4d32054u, 0x0f4d028aff24a678u,
+    0x1a095d58f43915edu, 0xd0426ac5e89b2dd6u, 0x5df2fa53e1b56d9bu, 0x4af9eec52591ecf4u,};
 
 // Of the questions themselves.
-inline constexpr std::array<std::uint64_t, 784> questions{
+inline constexpr std::array<std::uint64_t, 820> questions{
     0xd6e495fc0ca9f931u, 0xabf233a9b0f071eau, 0x1d2ee6ed9e68766eu, 0xb632ac25ead4788bu,
     0x454afac212e2924eu, 0x717aaf5a060d4d20u, 0x03ba1ae0610ec5f6u, 0xbd7c0c78fd1b76efu,
     0xd0ba0259ce286d04u, 0x387096d6c14e587eu, 0x2722f861fc29ceafu, 0x4c073e8a3dcc8a5bu,
@@ -1326,6 +1356,14 @@ inline constexpr std::array<std::uint64_t, 784> questions{
     0x7f5fb8fce2120a8au, 0x634732c69f03f5e5u, 0xc92d672b90abca95u, 0x641f79044e2702aau,
     0x4790c4d3b04b3aacu, 0x14d3fbb47ae25598u, 0x3a309829113c59edu, 0x70def8a617720140u,
     0xa770b4eb1c0b500du, 0x3317fb94e747750bu, 0x014af9f22fcc9c70u, 0x287b07e89402f97fu,
+    0x5b8156fca69a9695u, 0xb8aa7d8fa64c137au, 0xf0f9304e195a99ecu, 0x0db38f1fb2244e07u,
+    0x06d09a7593f71bbbu, 0xec1141010318a9c2u, 0x833065b0c48f5b9bu, 0xda98e3099621c4b8u,
+    0x4299ae95f2e49fe1u, 0x5390269dc6b07c0du, 0xb6ff9ee01d35b00eu, 0xe22a39363afa43c9u,
+    0x78323f45c6303bd2u, 0xdd00d343dba070deu, 0xc7998ecc9ae27171u, 0xd5fe6a17973950d0u,
+    0x6bd1eb5ceef4a8a5u, 0xe0d0475ed713ba70u, 0x3dfbccf89042f072u, 0xa4e23083556665ecu,
+    0xa8e05193495333ecu, 0xe0b83be5486b93d4u, 0x5fbb3919904f1123u, 0x4835314a03a794aeu,
+    0x4f9433cc73953e74u, 0xbd011218e0aaecfbu, 0xc13a2d06e04a4bc2u, 0x779ecbb34f14dbb3u,
+    0x43b25cb2c676ca48u, 0x9e251ad2fce4b5beu, 0x3ce941febcd4b9b5u, 0x92430b53899b3248u,
     0x3483b74897413a77u, 0x524aafabca7d7bb8u, 0x6dcd37c7289f839eu, 0xb090825832c4f878u,
     0x9ca48644f3efd25eu, 0x2b81f41be63ecd00u, 0x94fc13105dcd1a6au, 0x09ec786997c7d8acu,
     0x2b06d6acbcf51356u, 0xe2c118b71337bcb3u, 0x35a298dbbcdbdc59u, 0x6a3be780a3a7922du,
@@ -1340,6 +1378,7 @@ inline constexpr std::array<std::uint64_t, 784> questions{
     0x6174e6ccce1561d5u, 0x03153934dc037b44u, 0xcfb4035c835a2242u, 0xf5c9477fc4e8a5b4u,
     0x59fbb2af550dc239u, 0x084497ae243b3e56u, 0xb20800c69767f632u, 0x9f7a13416bc61ccdu,
     0x438d45f31dc5a3e2u, 0x7ced09f444b63e59u, 0x8d031f3d2a814a4du, 0x9d7cef1a4a68cab2u,
-    0xcf9e67ba44f06fddu, 0x6d68c910827beca5u, 0xac683650c948d60cu, 0xc374e00c123ed54eu,};
+    0xcf9e67ba44f06fddu, 0x6d68c910827beca5u, 0xac683650c948d60cu, 0xc374e00c123ed54eu,
+    0x85a585cf874e0201u, 0x0b828e72d91b1618u, 0x4425b829da071270u, 0xa1c90b851b0c777cu,};
 
 }  // namespace detent::verify::golden

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -91,6 +92,15 @@ motion::Body moving(const Shape& shape, const Sweep<S, N>& sweep) {
   body.end = raw_point<S>(sweep.end);
   body.from = quaternion(sweep.start_rotation);
   body.to = quaternion(sweep.end_rotation);
+  // Which way is shorter is decided exactly: near half a turn, doubles would cancel.
+  std::int64_t side = 0;
+  const auto raw = [](double x) {
+    return static_cast<std::int64_t>(std::ldexp(x, direction_component<S>::frac));
+  };
+  for (std::size_t i = 0; i < 4; ++i) side += raw(body.from[i]) * raw(body.to[i]);
+  if (side < 0) {
+    for (auto& x : body.to) x = -x;
+  }
   return body;
 }
 

@@ -31,7 +31,8 @@ inline Point cross(const Point& a, const Point& b) {
 inline double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
 /// All points within `radius` of the hull of `corners`, in a frame that moves from `start` to `end`
-/// and turns from the quaternion `from` to `to` (x, y, z, w; of any length). Flat bodies have z = 0.
+/// and turns along a line from the quaternion `from` to `to` (x, y, z, w; of any length). Flat bodies
+/// have z = 0.
 struct Body {
   std::vector<Point> corners;
   double radius = 0;
@@ -39,12 +40,8 @@ struct Body {
   std::array<double, 4> from{0, 0, 0, 1}, to{0, 0, 0, 1};
 
   [[nodiscard]] std::vector<Point> at(double t) const {
-    double side = 0;
-    for (std::size_t i = 0; i < 4; ++i) side += from[i] * to[i];
     std::array<double, 4> q{};
-    for (std::size_t i = 0; i < 4; ++i) {
-      q[i] = (1 - t) * from[i] + t * (side < 0 ? -to[i] : to[i]);
-    }
+    for (std::size_t i = 0; i < 4; ++i) q[i] = (1 - t) * from[i] + t * to[i];
     const Point u{q[0], q[1], q[2]};
     const double squared = dot(u, u) + q[3] * q[3];
     std::vector<Point> result;

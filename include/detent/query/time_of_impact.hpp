@@ -58,7 +58,8 @@ template <class A, class B, Scalar S, int N>
 ///         scalars) of the distance of the shapes' points from the origins of their frames, plus
 ///         the distance that points travel in one unit of time. Shapes that pass each other within
 ///         that distance may be reported. At most 128 steps; a search that needs more ends with
-///         `is_hit` false                                      (tests/oracle/impact_pairs.test.cpp)
+///         `is_hit` false                                      (tests/oracle/impact_pairs.test.cpp,
+///         tests/query/time_of_impact/far.test.cpp)
 /// source: conservative advancement; see ImpactSearch
 template <class A, class B, Scalar S, int N>
 requires detail::HaveImpact<A, B>

@@ -75,13 +75,16 @@ std::optional<Wrong> judge(const TargetCase<S, N, Target, Sphere<S, N>>& c, cons
   }
 }
 
-template <int Row, Scalar S, int N, class Target, class Answer>
-std::optional<Wrong> judge(const TargetCastCase<S, N, Target>& c, const Answer& got) {
+template <int Row, Scalar S, int N, class Target, class Shape, class Answer>
+std::optional<Wrong> judge(const TargetCastCase<S, N, Target, Shape>& c, const Answer& got) {
   return judge_first<S>(
-      c.target, [&](const auto& part) { return distance_along(c.moving, part); },
+      c.target,
+      [&](const auto& part) {
+        return distance_along(oracle::travel_of(as_shape(c.shape), c.direction, part),
+                              c.max_distance);
+      },
       [&]<class Part>(const Part& part) {
-        return judge<0>(CastCase<S, N, Sphere<S, N>, Part>{c.moving.shape, c.moving.direction,
-                                                           c.moving.max_distance, part},
+        return judge<0>(CastCase<S, N, Shape, Part>{c.shape, c.direction, c.max_distance, part},
                         got);
       },
       [&] { return compare(Answer(), got); });

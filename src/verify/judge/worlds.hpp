@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -117,9 +118,28 @@ std::string fault_of(const SolidsCase<S, N>& c, const Played<S, N, 6>& got) {
   return overlap_of<6, N>(cores, 1);
 }
 
+/// Whether b is in the cone of a joint, or leaves it by less than a quarter of a radian.
+template <Scalar S>
+bool is_in_cone(const ConeJoint<S, 3>& joint, const Rotation<S, 3>& a, const Rotation<S, 3>& b) {
+  const auto axis_of = [](const Rotation<S, 3>& body, const Rotation<S, 3>& frame) {
+    std::array<double, 3> axis{};
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        axis[static_cast<std::size_t>(k)] +=
+            static_cast<double>(frame.axis(2)[i]) * static_cast<double>(body.axis(i)[k]);
+      }
+    }
+    return axis;
+  };
+  if (joint.cone_angle == 0) return true;
+  const auto u = axis_of(a, joint.frame_a), v = axis_of(b, joint.frame_b);
+  const double cosine = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  return cosine >= std::cos(static_cast<double>(joint.cone_angle) + 0.25);
+}
+
 /// What is wrong with joined boxes without external forces, or nothing.
-template <Scalar S, int N>
-std::string fault_of(const JointsCase<S, N>& c, const Played<S, N, 7>& got) {
+template <HasJoints Case, Scalar S, int N, std::size_t Count>
+std::string fault_of(const Case& c, const Played<S, N, Count>& got) {
   for (int k = 0; k < N; ++k) {
     // In raw numbers: exact masses times velocities. Velocities are rounded to the scalar's grid,
     // and roundings in the solver change them by a few more steps.
@@ -138,8 +158,9 @@ std::string fault_of(const JointsCase<S, N>& c, const Played<S, N, 7>& got) {
   std::uint32_t number = 0;
   c.for_each_joint([&]<class Joint>(const Joint& joint) {
     const auto index = number++;
+    constexpr bool is_cone = requires { joint.cone_angle; };
     // Springs and sliders have no fixed distance.
-    if constexpr (std::is_same_v<Joint, HingeJoint<S, N>> ||
+    if constexpr (is_cone || std::is_same_v<Joint, HingeJoint<S, N>> ||
                   std::is_same_v<Joint, WeldJoint<S, N>>) {
       const auto at = [&](std::uint32_t body, const Vec<S, N>& anchor) {
         return oracle::raw(transform_point(got.bodies[body].frame, anchor));
@@ -149,6 +170,12 @@ std::string fault_of(const JointsCase<S, N>& c, const Played<S, N, 7>& got) {
       const auto most = std::int64_t{1} << (S::frac - 3);
       for (const auto& x : gap) {
         if (abs(Integer(x)) > most) fault = "joint " + std::to_string(index) + " together";
+      }
+    }
+    if constexpr (is_cone) {
+      const auto turn_of = [&](const BodyId& id) { return got.bodies[id.index].frame.rotation; };
+      if (!is_in_cone(joint, turn_of(joint.a), turn_of(joint.b))) {
+        fault = "the axis of joint " + std::to_string(index) + " in its cone";
       }
     }
   });

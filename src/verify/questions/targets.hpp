@@ -150,33 +150,44 @@ struct TargetContacts : TargetGroup<Kind> {
   }
 };
 
-template <Scalar S, int N, class Target>
+template <Scalar S, int N, class Target, class Shape>
 struct TargetCastCase {
   Target target;
-  Cast<Sphere<S, N>> moving;
+  Shape shape;
+  Direction<S, N> direction;
+  S max_distance;
 
-  static constexpr std::array<std::string_view, 2> field_names{"", ""};
-  constexpr auto fields(const auto& f) const noexcept { return f(target, moving); }
+  static constexpr std::array<std::string_view, 4> field_names{"", "", "direction", "max_distance"};
+  constexpr auto fields(const auto& f) const noexcept {
+    return f(target, shape, direction, max_distance);
+  }
 };
 
-/// A moving sphere.
-template <class Kind>
-struct TargetCasts : Kind {
+/// A moving shape; rows of spheres do not name them.
+template <class Target, class Moving = Kind<Sphere>>
+struct TargetCasts : Target {
   static constexpr std::uint32_t share = 24;
-  static constexpr RowName name{Kind::name, "/cast"};
+  static constexpr RowName name = std::is_same_v<Moving, Kind<Sphere>>
+                                      ? RowName(Target::name, "/cast")
+                                      : RowName(Target::name, "/cast/", Moving::name);
   static constexpr std::array<std::string_view, 1> names{name.view()};
 
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
-    typename Kind::template Stage<S, N> scene(random);
-    const auto target = Kind::draw(scene);
+    typename Target::template Stage<S, N> scene(random);
+    const auto target = Target::draw(scene);
     scene.turn();
-    return TargetCastCase<S, N, std::remove_const_t<decltype(target)>>{target,
-                                                                       drawn_cast<Sphere>(scene)};
+    const auto way = scene.retreat();
+    const auto shape = Moving::draw(scene);
+    return TargetCastCase<S, N, std::remove_const_t<decltype(target)>,
+                          std::remove_const_t<decltype(shape)>>{target, shape, way.direction,
+                                                                way.max_distance};
   }
   template <int Row, class Case>
   [[nodiscard]] static constexpr auto answer(const Case& c) noexcept {
-    return with_target(c.target, [&](const auto& target) { return cast(c.moving, target); });
+    return with_target(c.target, [&](const auto& target) {
+      return cast(as_shape(c.shape), c.direction, c.max_distance, target);
+    });
   }
 };
 

@@ -19,6 +19,7 @@ namespace detent::verify {
 /// A world of a few bodies, and its history.
 template <Scalar S, int N, std::size_t Count>
 struct WorldCase {
+  static constexpr int dimension = N;
   static constexpr std::size_t size = Count;
 
   WorldSettings<S, N> settings{};
@@ -239,61 +240,95 @@ struct JointsCase : WorldCase<S, N, 7> {
     f(wheel);
   }
 };
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const JointsCase<S, N>& c) noexcept {
-  append(digest, static_cast<const WorldCase<S, N, 7>&>(c));
+
+/// A row of boxes without gravity, each joined to the next by a cone.
+template <Scalar S, int N>
+struct ConesCase : WorldCase<S, N, 5> {
+  std::array<ConeJoint<S, N>, 4> cones{};
+
+  template <class F>
+  constexpr void for_each_joint(const F& f) const {
+    for (const auto& cone : cones) f(cone);
+  }
+};
+
+template <class Case>
+concept HasJoints = requires(const Case& c) {
+  c.for_each_joint(IgnoreFields());
+};
+
+template <class D, HasJoints Case>
+constexpr void append(D& digest, const Case& c) noexcept {
+  digest.add(c.settings.gravity, c.bodies);
   c.for_each_joint([&]<class Joint>(const Joint& joint) {
     digest.add(joint.collide, joint.break_force);
     if constexpr (requires { joint.frame_a; }) digest.add(joint.frame_a);
+    if constexpr (requires { joint.cone_angle; }) digest.add(joint.cone_angle);
     if constexpr (requires { joint.least; }) digest.add(joint.least, joint.most);
     if constexpr (requires { joint.frequency; }) digest.add(joint.frequency, joint.damping_ratio);
     if constexpr (requires { joint.max_force; }) digest.add(joint.max_force);
     if constexpr (requires { joint.lower; }) {
-      digest.add(joint.has_limits, joint.lower, joint.upper, joint.motor_speed);
+      digest.add(joint.has_limits, joint.lower, joint.upper);
     }
+    if constexpr (requires { joint.motor_speed; }) digest.add(joint.motor_speed);
   });
 }
 
-struct Linkages : WorldGroup {
-  static constexpr std::array<std::string_view, 2> names{"world/joints", "world/joints/snapshot"};
-
-  template <Scalar S, int N>
-  static constexpr auto draw(Random& random) noexcept {
-    using Stage = BodyStage<S, N>;
-    Stage stage(random);
-    JointsCase<S, N> c;
-    c.settings.gravity = {};
-    for (std::size_t i = 0; i < c.bodies.size(); ++i) {
-      auto& body = c.bodies[i];
-      body.center = Stage::flat(12 * static_cast<std::int64_t>(i) - 36, 0, 0);
+/// Draws rows of joined boxes.
+struct JointGroup : WorldGroup {
+ protected:
+  template <Scalar S, int N, std::size_t Count>
+  static constexpr void draw_boxes(BodyStage<S, N>& stage,
+                                   std::array<DrawnBody<S, N>, Count>& bodies) noexcept {
+    for (std::size_t i = 0; i < Count; ++i) {
+      auto& body = bodies[i];
+      body.center = BodyStage<S, N>::flat(12 * static_cast<std::int64_t>(i) - 36, 0, 0);
       body.half = stage.sizes(2, 5);
       body.options = stage.options();
       body.options.linear_damping = body.options.angular_damping = S(0);
     }
+  }
+  /// Joins the box with index `first` to the next one.
+  template <Scalar S, int N, class Joint>
+  static constexpr void draw_joint(BodyStage<S, N>& stage, std::uint32_t first,
+                                   Joint& joint) noexcept {
+    auto& random = stage.random;
+    joint.a = {first, first + 1};
+    joint.b = {first + 1, first + 2};
+    joint.anchor_a = BodyStage<S, N>::flat(6, 0, 0);
+    joint.anchor_b = BodyStage<S, N>::flat(-6, 0, 0);
+    joint.collide = random.one_in(4);
+    if constexpr (requires { joint.frame_a; }) {
+      joint.frame_a = joint.frame_b = random.coin() ? stage.turn() : Rotation<S, N>();
+    }
+    if constexpr (requires { joint.has_limits; }) {
+      joint.has_limits = random.coin();
+      joint.lower = stage.between_eighths(-6, 0);
+      joint.upper = stage.between_eighths(0, 6);
+    }
+    if constexpr (requires { joint.motor_speed; }) {
+      if (random.coin()) joint.motor_speed = stage.between_eighths(-24, 24);
+    }
+    if constexpr (requires { joint.motor_torque; }) joint.motor_torque = S(8);
+    if constexpr (requires { joint.motor_force; }) joint.motor_force = S(8);
+    if constexpr (requires { joint.damping_ratio; }) {
+      if (random.coin()) joint.frequency = stage.between_eighths(8, 40);
+      joint.damping_ratio = stage.between_eighths(0, 8);
+    }
+  }
+};
+
+struct Linkages : JointGroup {
+  static constexpr std::array<std::string_view, 2> names{"world/joints", "world/joints/snapshot"};
+
+  template <Scalar S, int N>
+  static constexpr auto draw(Random& random) noexcept {
+    BodyStage<S, N> stage(random);
+    JointsCase<S, N> c;
+    c.settings.gravity = {};
+    draw_boxes(stage, c.bodies);
     std::uint32_t next = 0;
-    const auto join = [&]<class Joint>(Joint& joint) {
-      joint.a = {next, next + 1};
-      joint.b = {next + 1, next + 2};
-      ++next;
-      joint.anchor_a = Stage::flat(6, 0, 0);
-      joint.anchor_b = Stage::flat(-6, 0, 0);
-      joint.collide = random.one_in(4);
-      if constexpr (requires { joint.frame_a; }) {
-        joint.frame_a = joint.frame_b = random.coin() ? stage.turn() : Rotation<S, N>();
-      }
-      if constexpr (requires { joint.has_limits; }) {
-        joint.has_limits = random.coin();
-        joint.lower = stage.between_eighths(-6, 0);
-        joint.upper = stage.between_eighths(0, 6);
-        if (random.coin()) joint.motor_speed = stage.between_eighths(-24, 24);
-      }
-      if constexpr (requires { joint.motor_torque; }) joint.motor_torque = S(8);
-      if constexpr (requires { joint.motor_force; }) joint.motor_force = S(8);
-      if constexpr (requires { joint.damping_ratio; }) {
-        if (random.coin()) joint.frequency = stage.between_eighths(8, 40);
-        joint.damping_ratio = stage.between_eighths(0, 8);
-      }
-    };
+    const auto join = [&](auto& joint) { draw_joint(stage, next++, joint); };
     join(c.rod);
     c.rod.least = stage.between_eighths(0, 2);
     c.rod.most = random.coin() ? c.rod.least : stage.between_eighths(2, 6);
@@ -324,6 +359,48 @@ struct Linkages : WorldGroup {
     Living<S, N> living(c);
     if constexpr (Row == 0) {
       return play<S, N, 7>(living.world);
+    } else {
+      return replay<8192>(living.world, [](auto& world, std::span<const std::byte> bytes) {
+        return restore(world, bytes);
+      });
+    }
+  }
+};
+
+struct Cones : JointGroup {
+  static constexpr std::array<std::string_view, 2> names{"world/cones", "world/cones/snapshot"};
+  template <int N>
+  static constexpr bool asks = N == 3;
+
+  template <Scalar S, int N>
+  static constexpr auto draw(Random& random) noexcept {
+    BodyStage<S, N> stage(random);
+    ConesCase<S, N> c;
+    c.settings.gravity = {};
+    draw_boxes(stage, c.bodies);
+    std::uint32_t next = 0;
+    for (auto& cone : c.cones) {
+      draw_joint(stage, next++, cone);
+      if (!random.one_in(4)) cone.cone_angle = stage.between_eighths(1, 8);
+    }
+    return c;
+  }
+
+  template <Scalar S, int N>
+  struct Living {
+    BoundedWorld<Bounded<5>, S, N, Obb, ConeJoint> world;
+
+    explicit constexpr Living(const ConesCase<S, N>& c) noexcept : world(c.settings) {
+      for (const auto& body : c.bodies) add_plain(world, body);
+      for (const auto& cone : c.cones) world.add(cone);
+    }
+  };
+
+  template <int Row, Scalar S, int N>
+  [[nodiscard]] static constexpr auto answer(const ConesCase<S, N>& c) noexcept {
+    Living<S, N> living(c);
+    if constexpr (Row == 0) {
+      return play<S, N, 5>(living.world);
     } else {
       return replay<8192>(living.world, [](auto& world, std::span<const std::byte> bytes) {
         return restore(world, bytes);

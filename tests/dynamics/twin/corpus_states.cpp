@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <type_traits>
 
 #include "scene_text.hpp"
 #include "state_text.hpp"
@@ -77,7 +78,7 @@ void print_body(const DrawnBody<Scalar, N>& body) {
 
 template <class Joint>
 void print_joint(const Joint& joint) {
-  constexpr std::array kinds{"", "distance", "ball", "hinge", "weld", "slider", "wheel"};
+  constexpr std::array kinds{"", "distance", "ball", "hinge", "weld", "slider", "wheel", "cone"};
   std::cout << "joint " << kinds[detent::detail::joint_tag<Joint>] << ' ' << joint.a.index << ' '
             << joint.b.index << text(joint.anchor_a) << text(joint.anchor_b)
             << (joint.collide ? " collide" : "");
@@ -97,6 +98,9 @@ void print_joint(const Joint& joint) {
   }
   if constexpr (requires { joint.has_limits; }) {
     if (joint.has_limits) std::cout << " limits" << text(joint.lower) << text(joint.upper);
+  }
+  if constexpr (requires { joint.cone_angle; }) std::cout << " cone" << text(joint.cone_angle);
+  if constexpr (requires { joint.motor_speed; }) {
     std::cout << " motor" << text(joint.motor_speed);
     if constexpr (requires { joint.motor_torque; }) {
       std::cout << text(joint.motor_torque);
@@ -139,7 +143,7 @@ void print_scenes(const std::string& group) {
               << Group::ticks << '\n';
     print_assets(c);
     for (const auto& body : c.bodies) print_body(body);
-    if constexpr (requires { c.rod; }) {
+    if constexpr (HasJoints<std::remove_cvref_t<decltype(c)>>) {
       c.for_each_joint([](const auto& joint) { print_joint(joint); });
     }
   });
@@ -167,17 +171,18 @@ int main(int count, char** arguments) {
   const auto visit = [](const auto& f) {
     f(Piles(), "pile");
     f(Linkages(), "joints");
+    f(Cones(), "cones");
     f(Solids(), "solids");
   };
   if (count == 1) {
     visit([]<class Group>(Group, const char* group) {
-      print_scenes<Group, 2>(group);
+      if constexpr (Group::template asks<2>) print_scenes<Group, 2>(group);
       print_scenes<Group, 3>(group);
     });
   } else if (count == 4) {
     const int ticks = std::atoi(arguments[3]);
     visit([&]<class Group>(Group, const char* group) {
-      play<Group, 2>(group, arguments[2], ticks);
+      if constexpr (Group::template asks<2>) play<Group, 2>(group, arguments[2], ticks);
       play<Group, 3>(group, arguments[2], ticks);
     });
   } else {
