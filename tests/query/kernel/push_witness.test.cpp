@@ -197,7 +197,6 @@ void compare_near_ties(std::int64_t reach, std::int64_t unit, int asked, Count& 
 template <Scalar S>
 void compare_near_touches(std::int64_t reach, int asked, Count& count) {
   Random random(static_cast<std::uint64_t>(reach + asked));
-  const auto number = [&](std::int64_t limit) { return random.number<S>(-limit, limit); };
   const auto point = [&] { return random_vec<S, 3>(random, -reach, reach); };
   for (int i = 0; i < asked; ++i) {
     CAPTURE(reach, i);
