@@ -83,8 +83,8 @@ Measured measure_bullet(const Drawn& drawn) {
     });
     pairs.time([&] { bullet.broad_phase.calculateOverlappingPairs(&bullet.dispatcher); });
   }
-  result.overlaps =
-      static_cast<std::size_t>(bullet.broad_phase.getOverlappingPairCache()->getNumOverlappingPairs());
+  result.overlaps = static_cast<std::size_t>(
+      bullet.broad_phase.getOverlappingPairCache()->getNumOverlappingPairs());
   result.build = build.least();
   result.ray = cast.least() * 1000 / ray_count;
   result.move = move.least();
