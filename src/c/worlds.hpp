@@ -278,19 +278,14 @@ struct Worlds {
   }
   static detent_status apply_impulse(detent_context* context, detent_handle world, detent_id id,
                                      const typename T::Vec* impulse, const typename T::Vec* at) {
-    return change_body(context, world, id, impulse != nullptr, [&](World& object) {
-      const auto read = Input<N>::vec(*impulse);
-      if (at == nullptr) return object.apply_impulse(id_of(id), read);
-      object.apply_impulse(id_of(id), read, Input<N>::vec(*at));
+    return push(context, world, id, impulse, at, [](World& object, const auto&... arguments) {
+      object.apply_impulse(arguments...);
     });
   }
   static detent_status apply_force(detent_context* context, detent_handle world, detent_id id,
                                    const typename T::Vec* force, const typename T::Vec* at) {
-    return change_body(context, world, id, force != nullptr, [&](World& object) {
-      const auto read = Input<N>::vec(*force);
-      if (at == nullptr) return object.apply_force(id_of(id), read);
-      object.apply_force(id_of(id), read, Input<N>::vec(*at));
-    });
+    return push(context, world, id, force, at,
+                [](World& object, const auto&... arguments) { object.apply_force(arguments...); });
   }
   static detent_status apply_torque(detent_context* context, detent_handle world, detent_id id,
                                     const std::int32_t* torque) {
@@ -537,6 +532,16 @@ struct Worlds {
     if (!object.contains(id_of(id))) return DETENT_NO;
     f(object);
     return DETENT_OK;
+  }
+  /// f(world, body, vector, point), without the point if `at` is null.
+  template <class F>
+  static detent_status push(detent_context* context, detent_handle world, detent_id id,
+                            const typename T::Vec* vector, const typename T::Vec* at, const F& f) {
+    return change_body(context, world, id, vector != nullptr, [&](World& object) {
+      const auto read = Input<N>::vec(*vector);
+      if (at == nullptr) return f(object, id_of(id), read);
+      f(object, id_of(id), read, Input<N>::vec(*at));
+    });
   }
   /// f(world, body, numbers) for numbers about the axes.
   template <class F>

@@ -277,24 +277,26 @@ template <class Group>
   visit_spaces<Group>([&](auto) { ++count; });
   return count;
 }
+
+/// The sum of count(group) over the groups of a part.
+template <class Part, class Count>
+[[nodiscard]] constexpr std::size_t count_groups(const Count& count) noexcept {
+  std::size_t sum = 0;
+  visit_groups<Part>([&](auto group) { sum += count(group); });
+  return sum;
+}
 template <class Part = Corpus>
 [[nodiscard]] constexpr std::size_t count_rows() noexcept {
-  std::size_t count = 0;
-  visit_groups<Part>([&](auto group) { count += rows_of<decltype(group)>(); });
-  return count;
+  return count_groups<Part>([](auto group) { return rows_of<decltype(group)>(); });
 }
 template <class Part = Corpus>
 [[nodiscard]] constexpr std::size_t count_cells() noexcept {
-  std::size_t count = 0;
-  visit_groups<Part>(
-      [&](auto group) { count += rows_of<decltype(group)>() * spaces_of<decltype(group)>(); });
-  return count;
+  return count_groups<Part>(
+      [](auto group) { return rows_of<decltype(group)>() * spaces_of<decltype(group)>(); });
 }
 template <class Part = Corpus>
 [[nodiscard]] constexpr std::size_t count_sheets() noexcept {
-  std::size_t count = 0;
-  visit_groups<Part>([&](auto group) { count += spaces_of<decltype(group)>(); });
-  return count;
+  return count_groups<Part>([](auto group) { return spaces_of<decltype(group)>(); });
 }
 namespace detail {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -168,10 +170,17 @@ void add_fields(Fields& fields, const Cast<Shape>& moving) {
   fields.emplace_back("max_distance", words(moving.max_distance));
 }
 
-/// A field without a name is described by its own fields.
-template <class Case>
-requires requires { Case::field_names; }
-Fields fields_of(const Case& c) {
+template <Scalar S, int N>
+void add_fields(Fields& fields, const Sweep<S, N>& sweep) {
+  fields.emplace_back("sweep start", words(sweep.start));
+  fields.emplace_back("sweep end", words(sweep.end));
+  add_fields(fields, sweep.start_rotation);
+  add_fields(fields, sweep.end_rotation);
+}
+
+/// The fields of a case with these names. A field without a name is described by its own fields.
+template <class Case, std::size_t Count>
+Fields named_fields(const Case& c, const std::array<std::string_view, Count>& names) {
   Fields fields;
   const auto add = [&]<class Field>(std::string_view name, const Field& field) {
     if constexpr (requires { words(field); }) {
@@ -182,11 +191,15 @@ Fields fields_of(const Case& c) {
     }
   };
   c.fields([&](const auto&... values) {
-    const auto* name = Case::field_names.data();
+    static_assert(sizeof...(values) == Count);
+    const auto* name = names.data();
     (add(*name++, values), ...);
   });
   return fields;
 }
+template <class Case>
+requires requires { Case::field_names; }
+Fields fields_of(const Case& c) { return named_fields(c, Case::field_names); }
 
 template <Scalar S, int N, class Shape>
 Fields fields_of(const RayCase<S, N, Shape>& c) {
@@ -227,21 +240,9 @@ Fields fields_of(const CastCase<S, N, First, Second>& c) {
   for (auto& [name, value] : second) fields.emplace_back("target " + name, std::move(value));
   return fields;
 }
-template <Scalar S, int N>
-void add_fields(Fields& fields, const Sweep<S, N>& sweep) {
-  fields.emplace_back("sweep start", words(sweep.start));
-  fields.emplace_back("sweep end", words(sweep.end));
-  add_fields(fields, sweep.start_rotation);
-  add_fields(fields, sweep.end_rotation);
-}
 template <Scalar S, int N, class First, class Second>
 Fields fields_of(const ImpactCase<S, N, First, Second>& c) {
-  Fields fields;
-  add_fields(fields, c.a);
-  add_fields(fields, c.sweep_a);
-  add_fields(fields, c.b);
-  add_fields(fields, c.sweep_b);
-  return fields;
+  return named_fields(c, std::array<std::string_view, 4>{"", "", "", ""});
 }
 template <Scalar S, int N>
 Fields fields_of(const CrossingCase<S, N>& c) {

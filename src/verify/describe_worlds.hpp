@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "verify/describe.hpp"
@@ -110,23 +113,11 @@ std::string words(const MeshContacts<S>& list) {
 
 template <Scalar S, int N>
 Fields fields_of(const MeshCase<S, N>& c) {
-  Fields fields;
-  add_fields(fields, c.mesh);
-  add_fields(fields, c.ray);
-  fields.emplace_back("point", words(c.point));
-  add_fields(fields, c.segment);
-  add_fields(fields, c.sphere);
-  add_fields(fields, c.obb);
-  return fields;
+  return named_fields(c, std::array<std::string_view, 6>{"", "", "point", "", "", ""});
 }
 template <Scalar S, int N>
 Fields fields_of(const FieldCase<S, N>& c) {
-  Fields fields;
-  add_fields(fields, c.field);
-  add_fields(fields, c.ray);
-  fields.emplace_back("point", words(c.point));
-  add_fields(fields, c.aabb);
-  return fields;
+  return named_fields(c, std::array<std::string_view, 4>{"", "", "point", ""});
 }
 
 /// A step, followed by its shape if it has one.
@@ -172,12 +163,7 @@ void add_fields(Fields& fields, const History<S, N>& history) {
 }
 template <Scalar S, int N>
 Fields fields_of(const SceneCase<S, N>& c) {
-  Fields fields;
-  add_fields(fields, c.history);
-  fields.emplace_back("layers asked", std::to_string(c.mask));
-  add_fields(fields, c.ray);
-  fields.emplace_back("point", words(c.point));
-  return fields;
+  return named_fields(c, std::array<std::string_view, 4>{"", "layers asked", "", "point"});
 }
 template <Scalar S, int N>
 Fields fields_of(const SceneCastCase<S, N>& c) {
@@ -191,51 +177,23 @@ Fields fields_of(const SceneCastCase<S, N>& c) {
 }
 template <Scalar S, int N>
 Fields fields_of(const OrbitCase<S, N>& c) {
-  Fields fields;
-  add_fields(fields, c.history);
-  const auto say = [&](const char* name, const auto& value) {
-    fields.emplace_back(name, words(value));
-  };
-  say("layers asked", c.mask);
-  say("fov", c.fov);
-  say("aspect", c.aspect);
-  say("near_distance", c.near_distance);
-  say("far_distance", c.far_distance);
-  say("target", c.target);
-  say("distance", c.distance);
-  say("yaw", c.yaw);
-  say("pitch", c.pitch);
-  say("min_distance", c.min_distance);
-  say("max_distance", c.max_distance);
-  say("rotate yaw", c.yaw_step);
-  say("rotate pitch", c.pitch_step);
-  say("zoom", c.factor);
-  say("pan right", c.right);
-  say("pan up", c.up);
-  return fields;
+  return named_fields(c, std::array<std::string_view, 17>{
+                             "", "layers asked", "fov", "aspect", "near_distance", "far_distance",
+                             "target", "distance", "yaw", "pitch", "min_distance", "max_distance",
+                             "rotate yaw", "rotate pitch", "zoom", "pan right", "pan up"});
 }
 template <Scalar S, int N>
 Fields fields_of(const MeetingCase<S, N>& c) {
-  Fields fields;
-  add_fields(fields, c.history);
-  fields.emplace_back("layers asked", std::to_string(c.mask));
-  add_fields(fields, c.sphere);
-  return fields;
+  return named_fields(c, std::array<std::string_view, 3>{"", "layers asked", ""});
 }
 template <Scalar S, int N>
 Fields fields_of(const RecordCase<S, N>& c) {
-  Fields fields;
-  add_fields(fields, c.history);
-  fields.emplace_back("point", words(c.point));
-  add_fields(fields, c.sphere);
-  return fields;
+  return named_fields(c, std::array<std::string_view, 3>{"", "point", ""});
 }
 
 template <Scalar S, int N>
 Fields fields_of(const EventsCase<S, N>& c) {
-  Fields fields;
-  add_fields(fields, c.history);
-  return fields;
+  return named_fields(c, std::array<std::string_view, 1>{""});
 }
 
 template <Scalar S, int N>

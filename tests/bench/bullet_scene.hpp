@@ -47,4 +47,20 @@ struct BulletObjects {
   }
 };
 
+/// A world of Bullet without physics, and its objects.
+struct BulletWorld {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broad_phase;
+  btCollisionWorld world{&dispatcher, &broad_phase, &configuration};
+  BulletObjects objects;
+
+  BulletWorld() = default;
+  BulletWorld(const BulletWorld&) = delete;
+  BulletWorld& operator=(const BulletWorld&) = delete;
+  ~BulletWorld() { world.getCollisionObjectArray().clear(); }
+
+  void add(const Drawn& drawn) { objects.add_to(world, drawn); }
+};
+
 }  // namespace detent::bench

@@ -101,6 +101,15 @@ struct Drawn {
   test::Random random_;
 };
 
+/// Prints what measure(S()) returns for q16_16, which is the result, and for `float`.
+template <class Measure>
+auto print_scalars(int count, const Measure& measure) {
+  const auto fixed = measure(q16_16());
+  print(count, "q16_16", fixed);
+  print(count, "float", measure(0.0F));
+  return fixed;
+}
+
 template <Scalar S>
 void add(Scene<S, 3, Sphere, Obb>& scene, const Drawn& drawn) {
   for (const auto& [box, is_ball] : drawn.items) {

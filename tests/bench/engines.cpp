@@ -15,31 +15,18 @@ namespace detent::bench {
 
 namespace {
 
-/// Times `ask`, which returns a distance or a negative number, and compares it with exact results.
+/// `ask` returns a distance or a negative number.
 template <class Q, class Question, class Ask>
 void add_engine(Suite& suite, const Q& query, const std::string& engine,
                 const std::vector<typename Q::template Question<double>>& drawn,
                 const std::vector<Question>& questions, const Ask& ask) {
-  Accuracy accuracy;
-  std::size_t hit_count = 0, expected = 0;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    const auto truth = query.template operator()<q16_16>(
-        std::pair{as<q16_16>(drawn[i].first), as<q16_16>(drawn[i].second)});
-    const float distance = ask(questions[i]);
+  const auto judge = [](const std::optional<q16_16>& exact, float distance) {
+    const double error = exact ? std::abs(double{distance} - static_cast<double>(*exact)) : 0;
     // For a ray that starts inside, engines return the exit or nothing: their definition differs.
-    if (truth == q16_16(0)) continue;
-    ++accuracy.asked;
-    accuracy.wrong += truth.has_value() != (distance >= 0) ? 1u : 0u;
-    hit_count += distance >= 0 ? 1u : 0u;
-    expected += truth ? 1u : 0u;
-    if (truth && distance >= 0) {
-      accuracy.error =
-          std::max(accuracy.error, std::abs(double{distance} - static_cast<double>(*truth)));
-    }
-  }
-  suite.add_record({std::string(query.name), engine, hit_count, expected, false, accuracy});
-  suite.add(std::string(query.name), engine, questions, ask,
-            [ask](const Question& question) { return ask(question) >= 0; });
+    return Judged{exact.has_value(), distance >= 0, error, exact != q16_16(0)};
+  };
+  add_other(suite, query, engine, drawn, questions, ask, judge,
+            [](float distance) { return distance >= 0; });
 }
 
 #if DETENT_BENCH_BULLET

@@ -150,14 +150,10 @@ Counts measure(const Drawn& drawn, const char* who) {
 void measure_bullet(const Drawn& drawn) {
   const std::size_t size = drawn.items.size();
   const int count = size > 200'000 ? 1 : rounds_of(size);
-  btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher(&configuration);
-  btDbvtBroadphase broad_phase;
-  btCollisionWorld world(&dispatcher, &broad_phase, &configuration);
-  BulletObjects bullet;
+  BulletWorld bullet;
   Median load, optimize, nearest, region;
-  load.time([&] { bullet.add_to(world, drawn); });
-  optimize.time([&] { broad_phase.optimize(); });
+  load.time([&] { bullet.add(drawn); });
+  optimize.time([&] { bullet.broad_phase.optimize(); });
   struct Counting : btBroadphaseAabbCallback {
     std::size_t count = 0;
     bool process(const btBroadphaseProxy*) override { return ++count > 0; }
@@ -168,14 +164,14 @@ void measure_bullet(const Drawn& drawn) {
         const auto from = as_bullet(ray.origin);
         const auto to = as_bullet(ray.origin + ray.max_distance * ray.direction.vec());
         btCollisionWorld::ClosestRayResultCallback closest(from, to);
-        world.rayTest(from, to, closest);
+        bullet.world.rayTest(from, to, closest);
       }
     });
     region.time([&] {
       for (const auto& ray : drawn.rays) {
         const auto center = as_bullet(ray.origin);
         const btVector3 radius(region_radius, region_radius, region_radius);
-        broad_phase.aabbTest(center - radius, center + radius, counting);
+        bullet.broad_phase.aabbTest(center - radius, center + radius, counting);
       }
     });
   }
@@ -183,7 +179,6 @@ void measure_bullet(const Drawn& drawn) {
   print("region", size, "Bullet", region.value() / ray_count);
   print("load", size, "Bullet", load.value());
   print("optimize", size, "Bullet", optimize.value());
-  world.getCollisionObjectArray().clear();
 }
 
 #endif

@@ -26,28 +26,17 @@ bool is_hit_of(double length) {
   return is_fixed<Answer> ? length > 0 : length >= 0;
 }
 
-/// Times `ask`, which returns a length or a negative number, and compares it with exact results.
+/// `ask` returns a length or a negative number.
 template <class Q, class Question, class Ask>
 void add_peer(Suite& suite, const Q& query, const std::string& peer,
               const std::vector<typename Q::template Question<double>>& drawn,
               const std::vector<Question>& questions, const Ask& ask) {
-  Accuracy accuracy;
-  std::size_t hit_count = 0, expected = 0;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    const auto answer = query.template operator()<q16_16>(
-        std::pair{as<q16_16>(drawn[i].first), as<q16_16>(drawn[i].second)});
-    using Answer = std::remove_cvref_t<decltype(answer)>;
-    const double truth = length_of(answer), length = ask(questions[i]);
-    const bool should_hit = is_hit_of<Answer>(truth), does_hit = is_hit_of<Answer>(length);
-    ++accuracy.asked;
-    accuracy.wrong += should_hit != does_hit ? 1u : 0u;
-    hit_count += does_hit ? 1u : 0u;
-    expected += should_hit ? 1u : 0u;
-    if (should_hit && does_hit) accuracy.error = std::max(accuracy.error, std::abs(length - truth));
-  }
-  suite.add_record({std::string(query.name), peer, hit_count, expected, false, accuracy});
-  suite.add(std::string(query.name), peer, questions, ask,
-            [ask](const Question& question) { return ask(question) > 0; });
+  const auto judge = []<class Answer>(const Answer& exact, double length) {
+    const double truth = length_of(exact);
+    return Judged{is_hit_of<Answer>(truth), is_hit_of<Answer>(length), std::abs(length - truth)};
+  };
+  add_other(suite, query, peer, drawn, questions, ask, judge,
+            [](double length) { return length > 0; });
 }
 
 #if DETENT_BENCH_FCL

@@ -92,13 +92,9 @@ struct Touched : btCollisionWorld::ContactResultCallback {
 };
 
 Measured measure_bullet(const Drawn& drawn) {
-  btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher(&configuration);
-  btDbvtBroadphase broad_phase;
-  btCollisionWorld world(&dispatcher, &broad_phase, &configuration);
-  BulletObjects objects;
-  objects.add_to(world, drawn);
-  broad_phase.optimize();
+  BulletWorld bullet;
+  bullet.add(drawn);
+  bullet.broad_phase.optimize();
   const auto radius = static_cast<btScalar>(half_size(drawn));
   const btSphereShape ball(radius);
   const btBoxShape cube(btVector3(radius, radius, radius));
@@ -108,7 +104,7 @@ Measured measure_bullet(const Drawn& drawn) {
     auto to = from;
     to.setOrigin(as_bullet(ray.origin + ray.max_distance * ray.direction.vec()));
     btCollisionWorld::ClosestConvexResultCallback closest(from.getOrigin(), to.getOrigin());
-    world.convexSweepTest(&shape, from, to, closest);
+    bullet.world.convexSweepTest(&shape, from, to, closest);
     return closest.hasHit() ? 1u : 0u;
   };
   Measured result;
@@ -125,10 +121,9 @@ Measured measure_bullet(const Drawn& drawn) {
     place.setOrigin(as_bullet(drawn.rays[k].origin));
     body.setWorldTransform(place);
     Touched touched(&body);
-    world.contactTest(&body, touched);
+    bullet.world.contactTest(&body, touched);
     return touched.objects.size();
   });
-  world.getCollisionObjectArray().clear();
   return result;
 }
 
@@ -157,9 +152,7 @@ int main() {
       "contacts of 2000 boxes,ns per box in contact\n");
   for (const auto& [count, ball_hits, box_hits, contacts] : golden) {
     const Drawn drawn(count, 42);
-    const auto fixed = measure<detent::q16_16>(drawn);
-    print(count, "q16_16", fixed);
-    print(count, "float", measure<float>(drawn));
+    const auto fixed = print_scalars(count, [&]<class S>(S) { return measure<S>(drawn); });
 #if DETENT_BENCH_BULLET
     print(count, "Bullet", measure_bullet(drawn));
 #endif

@@ -57,15 +57,11 @@ Measured measure(const Drawn& drawn) {
 
 Measured measure_bullet(const Drawn& drawn) {
   Measured result;
-  btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher(&configuration);
-  btDbvtBroadphase broad_phase;
-  btCollisionWorld world(&dispatcher, &broad_phase, &configuration);
-  BulletObjects bullet;
+  BulletWorld bullet;
   Timer build, cast, move, pairs;
   build.time([&] {
-    bullet.add_to(world, drawn);
-    broad_phase.optimize();
+    bullet.add(drawn);
+    bullet.broad_phase.optimize();
   });
   for (const auto& moves : drawn.moves) {
     cast.time([&] {
@@ -74,26 +70,25 @@ Measured measure_bullet(const Drawn& drawn) {
         const auto from = as_bullet(ray.origin);
         const auto to = as_bullet(ray.origin + ray.max_distance * ray.direction.vec());
         btCollisionWorld::ClosestRayResultCallback closest(from, to);
-        world.rayTest(from, to, closest);
+        bullet.world.rayTest(from, to, closest);
         result.hits += closest.hasHit() ? 1u : 0u;
       }
     });
     move.time([&] {
       for (const auto& [i, by] : moves) {
-        auto& place = bullet.objects[i]->getWorldTransform();
+        auto& place = bullet.objects.objects[i]->getWorldTransform();
         place.setOrigin(place.getOrigin() + as_bullet(by));
-        world.updateSingleAabb(bullet.objects[i].get());
+        bullet.world.updateSingleAabb(bullet.objects.objects[i].get());
       }
     });
-    pairs.time([&] { broad_phase.calculateOverlappingPairs(&dispatcher); });
+    pairs.time([&] { bullet.broad_phase.calculateOverlappingPairs(&bullet.dispatcher); });
   }
-  result.overlaps =
-      static_cast<std::size_t>(broad_phase.getOverlappingPairCache()->getNumOverlappingPairs());
+  result.overlaps = static_cast<std::size_t>(
+      bullet.broad_phase.getOverlappingPairCache()->getNumOverlappingPairs());
   result.build = build.least();
   result.ray = cast.least() * 1000 / ray_count;
   result.move = move.least();
   result.pairs = pairs.least();
-  world.getCollisionObjectArray().clear();
   return result;
 }
 
@@ -128,9 +123,7 @@ int main() {
   std::printf("objects,engine,hits of 2000,ns per ray,build ms,move a tenth us,pairs us,pairs\n");
   for (const auto& [count, hits, overlaps] : golden) {
     const Drawn drawn(count, 42);
-    const auto fixed = measure<detent::q16_16>(drawn);
-    print(count, "q16_16", fixed);
-    print(count, "float", measure<float>(drawn));
+    const auto fixed = print_scalars(count, [&]<class S>(S) { return measure<S>(drawn); });
 #if DETENT_BENCH_BULLET
     print(count, "Bullet", measure_bullet(drawn));
 #endif

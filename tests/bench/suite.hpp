@@ -193,6 +193,40 @@ class Suite {
 
 // Each in its own source file, because every query takes long to compile, and the compiler's
 // inlining is limited in a large source.
+/// What another library's answer means next to the exact one.
+struct Judged {
+  bool should_hit, does_hit;
+  double error;  // if both hit
+  bool counts = true;
+};
+
+/// Times `ask` of another library, and compares it with exact results: judge(exact, ask(question))
+/// is a `Judged`.
+template <class Q, class Question, class Ask, class Judge, class IsHit>
+void add_other(Suite& suite, const Q& query, const std::string& library,
+               const std::vector<typename Q::template Question<double>>& drawn,
+               const std::vector<Question>& questions, const Ask& ask, const Judge& judge,
+               const IsHit& is_hit) {
+  Accuracy accuracy;
+  std::size_t hit_count = 0, expected = 0;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const auto exact = query.template operator()<q16_16>(
+        std::pair{as<q16_16>(drawn[i].first), as<q16_16>(drawn[i].second)});
+    const Judged judged = judge(exact, ask(questions[i]));
+    if (!judged.counts) continue;
+    ++accuracy.asked;
+    accuracy.wrong += judged.should_hit != judged.does_hit ? 1u : 0u;
+    hit_count += judged.does_hit ? 1u : 0u;
+    expected += judged.should_hit ? 1u : 0u;
+    if (judged.should_hit && judged.does_hit) {
+      accuracy.error = std::max(accuracy.error, judged.error);
+    }
+  }
+  suite.add_record({std::string(query.name), library, hit_count, expected, false, accuracy});
+  suite.add(std::string(query.name), library, questions, ask,
+            [ask, is_hit](const Question& question) { return is_hit(ask(question)); });
+}
+
 void add_raycasts(Suite& suite);
 void add_raycast_hits(Suite& suite);
 void add_contains(Suite& suite);

@@ -25,7 +25,7 @@ if [[ $in_c != "$in_cpp" ]]; then
   exit 1
 fi
 
-falls=$(sed -n 's/^    \(y .*digest .*\)/\1/p' docs/bindings.md)
+falls=$(bash tests/c/falls.sh)
 for number in 1 2; do
   bash tests/docs/block.sh docs/bindings.md c $number >"$work/page.c"
   compile "$work/page.c" "$work/page"

@@ -24,7 +24,7 @@ if command -v chromium >/dev/null; then
   said=$(node tests/c/browser.mjs chromium "$work")
   [[ $said == "$("$1")" ]] || { echo "in a browser the match ends with $said"; exit 1; }
 fi
-falls=$(sed -n 's/^    \(y .*digest .*\)/\1/p' docs/bindings.md) number=0
+falls=$(bash tests/c/falls.sh) number=0
 for wanted in "$falls" 9; do
   number=$((number + 1))
   bash tests/docs/block.sh docs/bindings.md js $number | sed "s|'detent'|'./index.mjs'|" >"$work/page.mjs"

@@ -14,7 +14,7 @@ done
 DETENT_LIBRARY=$(realpath "$2") DETENT_MATCH=$("$1")
 export DETENT_LIBRARY DETENT_MATCH PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=bindings/python
 "$python" bindings/python/tests/test_detent.py
-falls=$(sed -n 's/^    \(y .*digest .*\)/\1/p' docs/bindings.md)
+falls=$(bash tests/c/falls.sh)
 for wanted in "$falls" 'True 9.0'; do
   number=$((number + 1))
   said=$(bash tests/docs/block.sh docs/bindings.md python $number | "$python" -)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "math/frames.hpp"
 #include "number/real.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
@@ -30,13 +31,6 @@ static_assert(angle_between(V3{low, none, none}, V3{low, unit, none}) == A(), "2
 static_assert(angle_between(V2{one, unit}, V2{one, none}) == A::from_raw(10430));
 static_assert(angle_between(Direction<q16_16, 3>::along(0), -Direction<q16_16, 3>::along(0)) ==
               A::turn(1, 2));
-
-template <Scalar S, int N>
-Vec<S, N> random_vec(Random& random) {
-  const int bits = static_cast<int>(random.below(S::bits + 1));
-  return make_vec<N>(
-      [&](int) { return S::from_raw(static_cast<typename S::raw_type>(random.edgy(bits))); });
-}
 
 /// The error of `angle` in units of 2^-32 turn.
 template <class T, int N, Scalar S>

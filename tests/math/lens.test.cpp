@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "math/decimals.hpp"
 #include "math/frames.hpp"
 #include "number/real.hpp"
 
@@ -16,7 +17,6 @@ namespace {
 using S = q16_16;
 using A = Angle<S>;
 using L = Lens<S>;
-constexpr auto n = [](double value) { return S::from_double(value); };
 constexpr auto slope = [](double value) { return L::Slope::from_double(value); };
 
 constexpr auto square = *L::perspective(A::turn(1, 4), n(1), n(1), n(3));

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "detent/math/inverse.hpp"
+#include "math/decimals.hpp"
 #include "math/frames.hpp"
 #include "number/real.hpp"
 
@@ -17,8 +18,6 @@ using S = q16_16;
 using V = Vec<S, 3>;
 using D = Direction<S, 3>;
 using A = Angle<S>;
-constexpr auto n = [](double value) { return S::from_double(value); };
-constexpr auto v3 = [](double x, double y, double z) { return V{n(x), n(y), n(z)}; };
 constexpr S low = S::lowest(), high = S::max();
 constexpr V up = v3(0, 1, 0);
 

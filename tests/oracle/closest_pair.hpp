@@ -66,31 +66,36 @@ Corners<N> corners_of(const ConvexHull<S, N>& hull) {
   for (const auto& point : hull.points) result.push_back(position(point));
   return result;
 }
-template <Scalar S, int N>
-Corners<N> corners_of(const Aabb<S, N>& box) {
+/// corner(is_upper) for every choice of a lower or an upper side on each axis.
+template <int N, class Corner>
+Corners<N> corners_of_sides(const Corner& corner) {
   Corners<N> result;
   for (std::size_t bits = 0; bits < std::size_t{1} << N; ++bits) {
-    auto corner = position(box.min);
-    for (std::size_t i = 0; i < N; ++i) {
-      if ((bits >> i & 1) != 0) corner[i] = position(box.max)[i];
-    }
-    result.push_back(corner);
+    result.push_back(corner([&](int axis) { return (bits >> axis & 1) != 0; }));
   }
   return result;
 }
 template <Scalar S, int N>
+Corners<N> corners_of(const Aabb<S, N>& box) {
+  return corners_of_sides<N>([&](const auto& is_upper) {
+    auto corner = position(box.min);
+    for (std::size_t i = 0; i < N; ++i) {
+      if (is_upper(static_cast<int>(i))) corner[i] = position(box.max)[i];
+    }
+    return corner;
+  });
+}
+template <Scalar S, int N>
 Corners<N> corners_of(const Obb<S, N>& box) {
-  Corners<N> result;
-  for (std::size_t bits = 0; bits < std::size_t{1} << N; ++bits) {
+  return corners_of_sides<N>([&](const auto& is_upper) {
     auto corner = position(box.center);
     for (int i = 0; i < N; ++i) {
       const Rational extent = std::int64_t{box.half_extents[i].raw()};
-      const bool is_added = (bits >> i & 1) != 0;
-      corner = along(corner, position(box.rotation.axis(i)), is_added ? extent : Rational(-extent));
+      corner =
+          along(corner, position(box.rotation.axis(i)), is_upper(i) ? extent : Rational(-extent));
     }
-    result.push_back(corner);
-  }
-  return result;
+    return corner;
+  });
 }
 
 /// The exact value that `closest_points` must round: a point, and a distance and a direction from

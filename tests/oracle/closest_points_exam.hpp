@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <type_traits>
 
 #include "detent/query/closest_points/pair.hpp"
@@ -19,35 +20,26 @@ class ClosestPointsExam {
 
   template <class A, class B>
   void examine(long count) {
-    long apart = 0;
-    for (long i = 0; i < count; ++i) {
-      const auto setting = any_setting(draw_, Kind::lattice, 150);
-      const auto a = draw_shape<A>(draw_, setting);
-      const auto b = draw_shape<B>(draw_, setting);
-      const auto found = closest_points(a, b);
-      const auto because = [&] {
-        return describe(a) + "; " + describe(b) + "; found " + describe(found.first) + " and " +
-               describe(found.second);
-      };
-      INFO(draw_.random << ": case " << i);
-      if (!detail::has_points(a) || !detail::has_points(b)) {
-        if (found == decltype(found)()) continue;
-        FAIL_CHECK("empty: " << because());
-        return;
-      }
-      const auto exact = closest_pair<S, N>(a, b);
-      if (!exact) {
-        FAIL_CHECK("no proof: " << because());
-        return;
-      }
-      if (!is_rounded(exact->first, found.first) || !is_rounded(exact->second, found.second)) {
-        FAIL_CHECK(because());
-        return;
-      }
-      if (found.first != found.second) ++apart;
-    }
-    INFO(draw_.random);
-    CHECK(apart >= (std::is_same_v<A, Plane<S, N>> && std::is_same_v<A, B> ? 1 : count / 10));
+    examine_apart<A, B>(
+        draw_, Kind::lattice, count, [&](const A& a, const B& b) -> std::optional<bool> {
+          const auto found = closest_points(a, b);
+          const auto fail = [&](const char* why) -> std::optional<bool> {
+            FAIL_CHECK(draw_.random << why << ": " << describe(a) << "; " << describe(b)
+                                    << "; found " << describe(found.first) << " and "
+                                    << describe(found.second));
+            return std::nullopt;
+          };
+          if (!detail::has_points(a) || !detail::has_points(b)) {
+            if (found == decltype(found)()) return false;
+            return fail(", empty");
+          }
+          const auto exact = closest_pair<S, N>(a, b);
+          if (!exact) return fail(", no proof");
+          if (!is_rounded(exact->first, found.first) || !is_rounded(exact->second, found.second)) {
+            return fail("");
+          }
+          return found.first != found.second;
+        });
   }
 
   /// A with itself and with each of the others, in both orders if these have different code.

@@ -48,4 +48,25 @@ ConvexHull<S, N> round_hull(Draw<S, N>& draw, const Raw<N>& center, std::int64_t
   return {points};
 }
 
+/// Families of questions about random hulls of every kind. question(kind, setting, artist, hull)
+/// draws the rest; `low` to `high` percent of the general ones hit.
+template <class Exam, Scalar S, int N, class Question>
+void draw_hulls(Exam& exam, Draw<S, N>& draw, long count, int low, int high,
+                const Question& question) {
+  const auto family = [&](const char* name, Kind kind, int percent, int least, int most) {
+    exam.family(name, count * percent / 100, least, most, [&] {
+      const auto setting = draw_setting(draw, kind, 1);
+      Artist<S, N> artist(draw, setting);
+      ConvexHull<S, N> hull;
+      draw_shape(artist, hull);
+      return question(kind, setting, artist, hull);
+    });
+  };
+  family("random", Kind::general, 40, low, high);
+  family("lattice", Kind::lattice, 25, 10, 90);
+  family("tiny", Kind::tiny, 10, 10, 90);
+  family("extreme", Kind::extreme, 15, 1, 80);
+  family("degenerate", Kind::degenerate, 10, 5, 90);
+}
+
 }  // namespace detent::oracle

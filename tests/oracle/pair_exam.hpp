@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -107,6 +108,23 @@ void examine_pair(std::uint64_t seed, long count, Aim aim, const More& more) {
   more(exam, exam.draw, exam.draw.random);
   exam.finish(count);
 }
+/// Calls examine(a, b) for `count` random pairs, of which a tenth must be apart. It returns whether
+/// they are, or nothing after a failure, which ends the loop.
+template <class A, class B, Scalar S, int N, class Examine>
+void examine_apart(Draw<S, N>& draw, Kind kind, long count, const Examine& examine) {
+  long apart = 0;
+  for (long i = 0; i < count; ++i) {
+    const auto setting = any_setting(draw, kind, 150);
+    const auto a = draw_shape<A>(draw, setting);
+    const auto b = draw_shape<B>(draw, setting);
+    const std::optional<bool> is_apart = examine(a, b);
+    if (!is_apart) return;
+    apart += *is_apart ? 1 : 0;
+  }
+  INFO(draw.random);
+  CHECK(apart >= (std::is_same_v<A, Plane<S, N>> && std::is_same_v<A, B> ? 1 : count / 10));
+}
+
 template <class A, class B>
 void examine_pair(std::uint64_t seed, long count, Aim aim = {}) {
   examine_pair<A, B>(seed, count, aim, [](auto&...) {});

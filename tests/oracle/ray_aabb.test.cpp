@@ -34,8 +34,7 @@ void draw_cases(RayExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, lon
     const auto scale = draw.scale();
     const auto origin = draw.point(scale);
     const auto b = box(scale);
-    const auto direction = draw.towards(
-        origin, draw.near(on_edge(b, draw.size), random.between(0, N == 2 ? scale : scale / 2)));
+    const auto direction = draw.roughly_towards(origin, on_edge(b, draw.size), scale);
     return std::pair{draw.ray(origin, direction, draw.reach(scale)),
                      from_raw<Aabb<S, N>>(b.min, b.max)};
   });

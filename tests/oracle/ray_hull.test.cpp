@@ -28,47 +28,37 @@ void draw_cases(RayExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, lon
     }
     return place;
   };
-  const auto family = [&](const char* name, Kind kind, int percent, int low, int high) {
-    exam.family(name, count * percent / 100, low, high, [&] {
-      const auto setting = draw_setting(draw, kind, 1);
-      Artist<S, N> artist(draw, setting);
-      ConvexHull<S, N> hull;
-      draw_shape(artist, hull);
-      const auto& frame = setting.frame;
-      if (kind == Kind::lattice || kind == Kind::degenerate) {
-        // Exactly through corners, through points of edges, along edges and faces, or next to them.
-        const bool is_turned = !random.one_in(4);
-        const auto axis = is_turned ? frame.axes[random.below(draw.size)] : draw.unit();
-        const auto direction = draw.stretched(axis, is_turned ? frame.norm : 1);
-        const auto target = random.coin() ? artist.point() : among(hull, random.coin() ? 1 : 2);
-        const auto steps = std::max<std::int64_t>(setting.stride * (is_turned ? 1 : frame.norm), 1);
-        const auto back = steps * random.between(-1, 5);
-        return std::pair{
-            Ray<S, N>{draw.vec(draw.plus(target, axis, -back)),
-                      random.one_in(12) ? draw.disturbed(direction) : direction, draw.reach(steps)},
-            hull};
-      }
-      const auto target = among(hull, static_cast<int>(random.between(1, 4)));
-      if (kind == Kind::extreme) {
-        const auto origin = draw.extreme_point();
-        const auto direction = random.coin() ? draw.any_direction() : draw.towards(origin, target);
-        return std::pair{draw.ray(origin, direction, draw.scalar(draw.extreme())), hull};
-      }
-      const auto size = kind == Kind::tiny ? 4 : setting.size;
-      auto direction = random.one_in(4) ? draw.axis_direction() : draw.any_direction();
-      auto origin = draw.moved(target, direction, -random.between(-size / 4, 4 * size));
-      if (random.one_in(4)) {
-        origin = draw.near(target, size);
-        direction = draw.towards(origin, target);
-      }
-      return std::pair{draw.ray(origin, direction, draw.reach(4 * size)), hull};
-    });
+  const auto question = [&](Kind kind, const auto& setting, auto& artist, const auto& hull) {
+    const auto& frame = setting.frame;
+    if (kind == Kind::lattice || kind == Kind::degenerate) {
+      // Exactly through corners, through points of edges, along edges and faces, or next to them.
+      const bool is_turned = !random.one_in(4);
+      const auto axis = is_turned ? frame.axes[random.below(draw.size)] : draw.unit();
+      const auto direction = draw.stretched(axis, is_turned ? frame.norm : 1);
+      const auto target = random.coin() ? artist.point() : among(hull, random.coin() ? 1 : 2);
+      const auto steps = std::max<std::int64_t>(setting.stride * (is_turned ? 1 : frame.norm), 1);
+      const auto back = steps * random.between(-1, 5);
+      return std::pair{
+          Ray<S, N>{draw.vec(draw.plus(target, axis, -back)),
+                    random.one_in(12) ? draw.disturbed(direction) : direction, draw.reach(steps)},
+          hull};
+    }
+    const auto target = among(hull, static_cast<int>(random.between(1, 4)));
+    if (kind == Kind::extreme) {
+      const auto origin = draw.extreme_point();
+      const auto direction = random.coin() ? draw.any_direction() : draw.towards(origin, target);
+      return std::pair{draw.ray(origin, direction, draw.scalar(draw.extreme())), hull};
+    }
+    const auto size = kind == Kind::tiny ? 4 : setting.size;
+    auto direction = random.one_in(4) ? draw.axis_direction() : draw.any_direction();
+    auto origin = draw.moved(target, direction, -random.between(-size / 4, 4 * size));
+    if (random.one_in(4)) {
+      origin = draw.near(target, size);
+      direction = draw.towards(origin, target);
+    }
+    return std::pair{draw.ray(origin, direction, draw.reach(4 * size)), hull};
   };
-  family("random", Kind::general, 40, 30, 80);
-  family("lattice", Kind::lattice, 25, 10, 90);
-  family("tiny", Kind::tiny, 10, 10, 90);
-  family("extreme", Kind::extreme, 15, 1, 80);
-  family("degenerate", Kind::degenerate, 10, 5, 90);
+  draw_hulls(exam, draw, count, 30, 80, question);
   exam.family("round", count / 60, 30, 80, [&] {
     const auto radius = std::max<std::int64_t>(draw.scale() / 4, 2);
     const auto center = draw.point(radius);

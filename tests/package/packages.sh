@@ -8,9 +8,7 @@ build=$1 kind=$2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 version=$(sed -n 's/#define DETENT_VERSION_[A-Z]* //p' include/detent/version.hpp | paste -sd .)
-
-# program LANGUAGE README: prints the program of that README.
-program() { sed -n '/^```'"$1"'$/,/^```$/{/^```/d;p}' "$2"; }
+block=$(realpath tests/docs/block.sh)
 expect() {
   if [[ $1 != "$2" ]]; then echo "the program of its README prints '$1' instead of '$2'"; exit 1; fi
   echo "the $kind package works from an empty folder"
@@ -48,14 +46,14 @@ case $kind in
     else
       python3 -m zipfile -e "$file" "$work/site"
     fi
-    program python "$work"/site/detent-*.dist-info/METADATA >"$work/page.py"
+    bash "$block" "$work"/site/detent-*.dist-info/METADATA python >"$work/page.py"
     expect "$(cd "$work" && env -u DETENT_LIBRARY PYTHONPATH="$work/site" python3 page.py)" 'True 9.0'
     ;;
   crate)
     file=$(package "detent-$version.crate")
     tar -xzf "$file" -C "$work"
     mkdir -p "$work/user/src"
-    program rust "$work/detent-$version/README.md" | sed 's/^    Ok(())$/    println!("ran"); Ok(())/' >"$work/user/src/main.rs"
+    bash "$block" "$work/detent-$version/README.md" rust | sed 's/^    Ok(())$/    println!("ran"); Ok(())/' >"$work/user/src/main.rs"
     printf '%s\n' '[package]' 'name = "user"' 'version = "1.0.0"' 'edition = "2021"' '[dependencies]' \
       "detent = { path = \"$work/detent-$version\" }" >"$work/user/Cargo.toml"
     library=$(realpath "$build/src/c")
@@ -67,7 +65,7 @@ case $kind in
     mkdir "$work/user"
     cd "$work/user"
     npm install --silent --offline --no-audit --no-fund "$file" >/dev/null
-    program js node_modules/detent/README.md >page.mjs
+    bash "$block" node_modules/detent/README.md js >page.mjs
     expect "$(node page.mjs)" 9
     ;;
   recipes)

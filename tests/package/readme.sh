@@ -7,7 +7,7 @@ set -euo pipefail
 readme=$(realpath "$1") prefix=$(realpath "$2")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-block() { sed -n '/^```'"$1"'$/,/^```$/{/^```/d;p}' "$readme"; }
+block() { bash tests/docs/block.sh "$readme" "$1"; }
 run() { "$@" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }; }
 expect() {
   local said
@@ -21,13 +21,11 @@ run cmake -S "$work" -B "$work/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_FIND
 run cmake --build "$work/build"
 expect "$work/build/game"
 
-block c >"$work/main.c"
-if [[ -s $work/main.c ]] && command -v pkg-config >/dev/null && command -v cc >/dev/null; then
+if block c >"$work/main.c" 2>/dev/null && command -v pkg-config >/dev/null && command -v cc >/dev/null; then
   PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name detent.pc)")
   LD_LIBRARY_PATH=$(PKG_CONFIG_PATH=$PKG_CONFIG_PATH pkg-config --variable=libdir detent)
   export PKG_CONFIG_PATH LD_LIBRARY_PATH
   block sh >"$work/command"
-  [[ -s $work/command ]]
   (cd "$work" && run bash -e command)
   expect "$work/game"
 fi

@@ -7,6 +7,7 @@
 
 #include "detent/number/digest.hpp"
 #include "detent/shape/frustum.hpp"
+#include "math/decimals.hpp"
 #include "math/frames.hpp"
 #include "math/matrices.hpp"
 
@@ -19,8 +20,6 @@ using S = q16_16;
 using V = Vec<S, 3>;
 using D = Direction<S, 3>;
 using A = Angle<S>;
-constexpr auto n = [](double value) { return S::from_double(value); };
-constexpr auto v3 = [](double x, double y, double z) { return V{n(x), n(y), n(z)}; };
 
 // At (0, 0, 10), looking along -z; half the width equals the depth, half the height half of it.
 constexpr Camera camera{*look_at(v3(0, 0, 10), V{}, v3(0, 1, 0)),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "detent/number/digest.hpp"
+#include "math/decimals.hpp"
 #include "math/frames.hpp"
 
 using namespace detent;
@@ -14,8 +15,6 @@ namespace {
 using S = q16_16;
 using V = Vec<S, 3>;
 using A = Angle<S>;
-constexpr auto n = [](double value) { return S::from_double(value); };
-constexpr auto v3 = [](double x, double y, double z) { return V{n(x), n(y), n(z)}; };
 constexpr auto lens = *Lens<S>::perspective(A::turn(1, 4), n(1), n(1), n(100));
 
 constexpr OrbitCamera<S> start{lens, v3(1, 2, 3), n(10)};

@@ -256,7 +256,7 @@ constexpr void write_world(const WorldHeader& header, const World& world,
 template <class Shape, class Assets>
 [[nodiscard]] constexpr Restored read_part(Reader& in, Shape& shape,
                                            const Assets& assets) noexcept {
-  if constexpr (AssetBody<Shape>) {
+  if constexpr (AssetInstance<Shape>) {
     return read_asset(in, shape, assets);
   } else {
     in.get(shape);

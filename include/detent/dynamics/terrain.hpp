@@ -39,7 +39,7 @@ BodyMesh(const MeshAsset<S>*, Vec<S, 3> = {}, Rotation<S, 3> = {}) -> BodyMesh<S
 template <Scalar S, int N>
 struct BodyHeightField {
   static_assert(N == 3, "height fields are surfaces in 3D");
-  static constexpr std::uint32_t part_limit = std::uint32_t{1} << 20;
+  static constexpr std::uint32_t part_limit = BodyMesh<S, N>::part_limit;
   const FieldAsset<S>* asset = nullptr;
   Vec<S, N> translation{};
 

@@ -17,4 +17,18 @@ template <Number T>
   }
 }
 
+namespace detail {
+
+/// The numbers one raw unit after and before x. The caller proves that they are in range.
+template <Number T>
+[[nodiscard]] constexpr T next_raw(const T& x) noexcept {
+  return T::assume_raw(static_cast<typename T::raw_type>(x.raw() + 1));
+}
+template <Number T>
+[[nodiscard]] constexpr T previous_raw(const T& x) noexcept {
+  return T::assume_raw(static_cast<typename T::raw_type>(x.raw() - 1));
+}
+
+}  // namespace detail
+
 }  // namespace detent

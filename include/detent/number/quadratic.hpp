@@ -6,8 +6,22 @@
 
 #include "detent/number/filter/leading.hpp"
 #include "detent/number/filter/unit_length.hpp"
+#include "detent/number/next_up.hpp"
 
 namespace detent {
+
+namespace detail {
+
+/// The sign of a t^2 + 2 b t + c.
+template <class A, class B, class C, class T>
+[[nodiscard]] constexpr int sign_of_quadratic(const A& a, const B& b, const C& c,
+                                              const T& t) noexcept {
+  const auto rising = (a * t + b + b) * t;
+  const auto level = -c;
+  return (rising > level) - (rising < level);
+}
+
+}  // namespace detail
 
 /// Where the line of a ray meets a sphere: the roots of a t^2 + 2 b t + c = 0 with a > 0.
 ///
@@ -106,7 +120,7 @@ class Quadratic {
     if (is_falling || sign_at(limit) <= 0) return limit;
     T t = quotient_floor<T>(root() - b_, a_);
     if constexpr (is_fixed<T>) {
-      const T after = next(t);
+      const T after = detail::next_raw(t);
       if (sign_at(after) <= 0) t = after;
     }
     return t;
@@ -123,24 +137,13 @@ class Quadratic {
   template <Scalar T>
   [[nodiscard]] constexpr T exact_first_root() const noexcept {
     const T t = quotient_floor<T>(first_numerator(root()), a_);
-    return sign_at(t) < 0 ? previous(t) : t;
+    return sign_at(t) < 0 ? detail::previous_raw(t) : t;
   }
 
   /// The sign of the polynomial at t.
   template <Scalar T>
   [[nodiscard]] constexpr int sign_at(const T& t) const noexcept {
-    const auto rising = (a_ * t + b_ + b_) * t;
-    const auto level = -c_;
-    return (rising > level) - (rising < level);
-  }
-
-  template <class T>
-  static constexpr T previous(const T& t) noexcept {
-    return T::assume_raw(static_cast<typename T::raw_type>(t.raw() - 1));
-  }
-  template <class T>
-  static constexpr T next(const T& t) noexcept {
-    return T::assume_raw(static_cast<typename T::raw_type>(t.raw() + 1));
+    return detail::sign_of_quadratic(a_, b_, c_, t);
   }
 
   using Square = decltype(std::declval<B>() * std::declval<B>());

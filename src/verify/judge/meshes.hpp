@@ -57,6 +57,21 @@ Listed<T, Room> listed(std::vector<T> all) {
   return list;
 }
 
+/// Compares all results, sorted, with what the library returned of them: the first, whether there
+/// are any, or a list.
+template <class T>
+std::optional<Wrong> compare_results(const std::vector<T>& all, const std::optional<T>& got) {
+  return compare(all.empty() ? std::nullopt : std::optional(all.front()), got);
+}
+template <class T>
+std::optional<Wrong> compare_results(const std::vector<T>& all, bool got) {
+  return compare(!all.empty(), got);
+}
+template <class T, std::size_t Room>
+std::optional<Wrong> compare_results(const std::vector<T>& all, const Listed<T, Room>& got) {
+  return compare(listed<T, Room>(all), got);
+}
+
 /// All hits, in order.
 template <Scalar S>
 std::vector<MeshHit<S>> hits_of(const Ray<S, 3>& ray,
@@ -174,21 +189,17 @@ std::optional<Wrong> judge(const MeshCase<S, N>& c, const Answer& got) {
     if (!inspection.fault()) return std::nullopt;
     return Wrong{"each triangle in one leaf and within the boxes above it", *inspection.fault()};
   } else if constexpr (Row == 4) {
-    return compare(!met_by(c.sphere, triangles).empty(), got);
+    return compare_results(met_by(c.sphere, triangles), got);
   } else if constexpr (Row == 5) {
-    return compare(listed<std::uint32_t, 4>(met_by(c.obb, triangles)), got);
+    return compare_results(met_by(c.obb, triangles), got);
   } else if constexpr (Row == 6) {
-    return compare(!met_by(c.segment, triangles).empty(), got);
+    return compare_results(met_by(c.segment, triangles), got);
   } else if constexpr (Row == 7) {
     return compare(nearest_of(c.point, triangles), got);
   } else {
     const auto hits = hits_of(c.ray, triangles);
-    if constexpr (Row == 0) {
-      return compare(hits.empty() ? Answer() : Answer(hits.front()), got);
-    } else if constexpr (Row == 1) {
-      return compare(!hits.empty(), got);
-    } else if constexpr (Row == 2) {
-      return compare(listed<MeshHit<S>, 3>(hits), got);
+    if constexpr (Row < 3) {
+      return compare_results(hits, got);
     } else {
       if (hits.empty()) return compare(Answer(), got);
       const auto& first = triangles[hits.front().index];
@@ -201,16 +212,11 @@ template <int Row, Scalar S, int N, class Answer>
 std::optional<Wrong> judge(const FieldCase<S, N>& c, const Answer& got) {
   const auto triangles = triangles_of(c.field);
   if constexpr (Row == 2) {
-    return compare(!met_by(c.aabb, triangles).empty(), got);
+    return compare_results(met_by(c.aabb, triangles), got);
   } else if constexpr (Row == 3) {
     return compare(nearest_of(c.point, triangles), got);
   } else {
-    const auto hits = hits_of(c.ray, triangles);
-    if constexpr (Row == 0) {
-      return compare(hits.empty() ? Answer() : Answer(hits.front()), got);
-    } else {
-      return compare(listed<MeshHit<S>, 3>(hits), got);
-    }
+    return compare_results(hits_of(c.ray, triangles), got);
   }
 }
 

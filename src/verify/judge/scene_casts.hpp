@@ -21,13 +21,7 @@ std::optional<Wrong> judge(const SceneCastCase<S, N>& c, const Answer& got) {
     }
   }
   std::sort(all.begin(), all.end());
-  if constexpr (Row == 0) {
-    return compare(all.empty() ? Answer() : Answer(all.front()), got);
-  } else if constexpr (Row == 1) {
-    return compare(!all.empty(), got);
-  } else {
-    return compare(listed<Found<S>, 3>(all), got);
-  }
+  return compare_results(all, got);
 }
 
 }  // namespace detent::verify::judge

@@ -88,13 +88,7 @@ std::optional<Wrong> judge(const OrbitCase<S, N>& c, const Answer& got) {
       all = all_with(PlainScene<S, N>(c.history), c.mask,
                      [&](const auto& shape) { return distance_if_met(solid, middle, shape); });
     }
-    if constexpr (Row == 1) {
-      return compare(all.empty() ? Answer() : Answer(all.front()), got);
-    } else if constexpr (Row == 2) {
-      return compare(!all.empty(), got);
-    } else {
-      return compare(listed<Found<S>, 4>(all), got);
-    }
+    return compare_results(all, got);
   }
 }
 

@@ -319,24 +319,17 @@ std::optional<Wrong> judge(const SceneCase<S, N>& c, const Answer& got) {
   if constexpr (Row == 1) {
     return compare(nearest_of(scene, c.point, c.mask), got);
   } else {
-    const auto all = all_of(scene, c.ray, c.mask);
-    if constexpr (Row == 0) {
-      return compare(all.empty() ? Answer() : Answer(all.front()), got);
-    } else {
-      return compare(listed<Found<S>, 4>(all), got);
-    }
+    return compare_results(all_of(scene, c.ray, c.mask), got);
   }
 }
 
 template <int Row, Scalar S, int N, class Answer>
 std::optional<Wrong> judge(const MeetingCase<S, N>& c, const Answer& got) {
   const PlainScene<S, N> scene(c.history);
-  if constexpr (Row == 0) {
-    return compare(!all_of(scene, c.sphere, c.mask).empty(), got);
-  } else if constexpr (Row == 1) {
-    return compare(listed<Found<S>, 4>(all_of(scene, c.sphere, c.mask)), got);
+  if constexpr (Row < 2) {
+    return compare_results(all_of(scene, c.sphere, c.mask), got);
   } else {
-    return compare(listed<Overlap, 6>(pairs_of(scene)), got);
+    return compare_results(pairs_of(scene), got);
   }
 }
 

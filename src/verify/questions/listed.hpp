@@ -46,4 +46,11 @@ constexpr void append(D& digest, const Listed<T, Room>& list) noexcept {
   for (const T& item : list.kept()) digest.add(item);
 }
 
+/// The first results of `scene.all(query, room, filter)` of type T.
+template <class T, std::size_t Room, class Scene, class Query, class Filter>
+[[nodiscard]] constexpr Listed<T, Room> list_all(const Scene& scene, const Query& query,
+                                                 const Filter& filter) noexcept {
+  return Listed<T, Room>([&](std::span<T> room) { return scene.all(query, room, filter); });
+}
+
 }  // namespace detent::verify

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string_view>
 
 #include "verify/questions/casts.hpp"
@@ -66,8 +65,7 @@ struct SceneCasts : InDimensions<2, 3> {
     } else if constexpr (Row == 1) {
       return scene.any(c.moving, filter);
     } else {
-      return Listed<Found<S>, 3>(
-          [&](std::span<Found<S>> room) { return scene.all(c.moving, room, filter); });
+      return list_all<Found<S>, 3>(scene, c.moving, filter);
     }
   }
 };

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include "detent/query/overlaps/frustum.hpp"
@@ -94,8 +93,7 @@ struct SceneViews : InDimensions<3> {
         return camera && scene.any(Frustum{*camera}, filter);
       } else {
         if (!camera) return Listed<Found<S>, 4>();
-        return Listed<Found<S>, 4>(
-            [&](std::span<Found<S>> room) { return scene.all(Frustum{*camera}, room, filter); });
+        return list_all<Found<S>, 4>(scene, Frustum{*camera}, filter);
       }
     }
   }

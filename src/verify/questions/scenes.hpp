@@ -163,8 +163,7 @@ struct SceneQuestions : SceneGroup {
     } else if constexpr (Row == 1) {
       return scene.nearest(c.point, filter);
     } else {
-      return Listed<Found<S>, 4>(
-          [&](std::span<Found<S>> room) { return scene.all(c.ray, room, filter); });
+      return list_all<Found<S>, 4>(scene, c.ray, filter);
     }
   }
 };
@@ -200,8 +199,7 @@ struct SceneMeetings : SceneGroup {
     if constexpr (Row == 0) {
       return scene.any(c.sphere, filter);
     } else if constexpr (Row == 1) {
-      return Listed<Found<S>, 4>(
-          [&](std::span<Found<S>> room) { return scene.all(c.sphere, room, filter); });
+      return list_all<Found<S>, 4>(scene, c.sphere, filter);
     } else {
       return Listed<Overlap, 6>([&](std::span<Overlap> room) { return scene.overlaps(room); });
     }

@@ -40,26 +40,29 @@ template <Scalar S, int N, class Ask>
 }
 
 /// Each kind draws a target and leaves the stage at a spot on it or near it.
-struct MeshKind : InDimensions<3> {
-  static constexpr std::string_view name = "mesh";
+struct SurfaceKind : InDimensions<3> {
   template <Scalar S, int N>
   using Stage = SurfaceScene<S>;
-  template <Scalar S>
-  static constexpr auto draw(SurfaceScene<S>& scene) noexcept {
-    const auto mesh = scene.mesh();
-    scene.aim_at(mesh);
-    return mesh;
+
+ protected:
+  template <Scalar S, class Surface>
+  static constexpr Surface aimed(SurfaceScene<S>& scene, const Surface& surface) noexcept {
+    scene.aim_at(surface);
+    return surface;
   }
 };
-struct FieldKind : InDimensions<3> {
-  static constexpr std::string_view name = "height_field";
-  template <Scalar S, int N>
-  using Stage = SurfaceScene<S>;
+struct MeshKind : SurfaceKind {
+  static constexpr std::string_view name = "mesh";
   template <Scalar S>
   static constexpr auto draw(SurfaceScene<S>& scene) noexcept {
-    const auto field = scene.field();
-    scene.aim_at(field);
-    return field;
+    return aimed(scene, scene.mesh());
+  }
+};
+struct FieldKind : SurfaceKind {
+  static constexpr std::string_view name = "height_field";
+  template <Scalar S>
+  static constexpr auto draw(SurfaceScene<S>& scene) noexcept {
+    return aimed(scene, scene.field());
   }
 };
 struct CompoundKind : InDimensions<2, 3> {

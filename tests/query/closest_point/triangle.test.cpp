@@ -10,12 +10,10 @@ TEMPLATE_TEST_CASE("closest point, triangle: every region of a triangle", "[clos
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  const Triangle<S, N> triangle{at<S, N>(0, 0), at<S, N>(8, 0), at<S, N>(0, 8)};
-  const Triangle<S, N> clockwise{triangle.a, triangle.c, triangle.b};
-  for (const auto& t : {triangle, clockwise}) {
-    CHECK(closest_point(t, at<S, N>(-1, -1)) == triangle.a);
-    CHECK(closest_point(t, at<S, N>(12, -1)) == triangle.b);
-    CHECK(closest_point(t, at<S, N>(-1, 12)) == triangle.c);
+  for (const auto& t : both_orders(right_triangle<S, N>())) {
+    CHECK(closest_point(t, at<S, N>(-1, -1)) == at<S, N>(0, 0));
+    CHECK(closest_point(t, at<S, N>(12, -1)) == at<S, N>(8, 0));
+    CHECK(closest_point(t, at<S, N>(-1, 12)) == at<S, N>(0, 8));
     CHECK(closest_point(t, at<S, N>(3, -2)) == at<S, N>(3, 0));
     CHECK(closest_point(t, at<S, N>(-2, 3)) == at<S, N>(0, 3));
     CHECK(closest_point(t, at<S, N>(6, 6)) == at<S, N>(4, 4));

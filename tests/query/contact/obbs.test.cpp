@@ -3,7 +3,7 @@
 
 #include "detent/query/contact/pair.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "support/random_vec.hpp"
 
 namespace detent::test {
 namespace {
@@ -31,11 +31,8 @@ void compare(const Obb<S, 3>& a, const Obb<S, 3>& b, Count& count) {
 template <Scalar S>
 void compare_many(std::int64_t reach, int asked, Count& count) {
   Random random(static_cast<std::uint64_t>(reach));
-  const auto number = [&](std::int64_t low, std::int64_t high) {
-    return random.number<S>(low, high);
-  };
   const auto vector = [&](std::int64_t low, std::int64_t high) {
-    return make_vec<3>([&](int) { return number(low, high); });
+    return random_vec<S, 3>(random, low, high);
   };
   const auto rotation = [&] {
     const auto angle = [&] {
@@ -50,7 +47,7 @@ void compare_many(std::int64_t reach, int asked, Count& count) {
   };
   const auto extents = [&] {
     auto half = vector(reach / 8, reach);
-    if (random.one_in(4)) half[random.coin() ? 0 : 2] = number(0, 64);
+    if (random.one_in(4)) half[random.coin() ? 0 : 2] = random.number<S>(0, 64);
     return half;
   };
   for (int i = 0; i < asked; ++i) {
@@ -65,7 +62,7 @@ void compare_many(std::int64_t reach, int asked, Count& count) {
       const auto shift = corner(a) - corner(b);
       b.center = nearest_to<S>(b.center + shift + vector(-4, 4));
       const int k = random.coin() ? 0 : 1;
-      const auto along = a.rotation.axis(k) * number(-reach, reach);
+      const auto along = a.rotation.axis(k) * random.number<S>(-reach, reach);
       b.center = nearest_to<S>(b.center + along);
     }
     compare<S>(a, b, count);

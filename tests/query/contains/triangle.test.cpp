@@ -10,9 +10,7 @@ TEMPLATE_TEST_CASE("contains, triangle: its face, edges and corners", "[contains
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  const Triangle<S, N> triangle{at<S, N>(0, 0), at<S, N>(8, 0), at<S, N>(0, 8)};
-  const Triangle<S, N> clockwise{triangle.a, triangle.c, triangle.b};
-  for (const auto& t : {triangle, clockwise}) {
+  for (const auto& t : both_orders(right_triangle<S, N>())) {
     CHECK(contains(t, at<S, N>(2, 2)));
     CHECK(contains(t, at<S, N>(4, 0)));
     CHECK(contains(t, at<S, N>(4, 4)));

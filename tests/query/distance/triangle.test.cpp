@@ -10,7 +10,7 @@ TEMPLATE_TEST_CASE("distance, triangle: to the face, an edge or a corner", "[dis
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  const Triangle<S, N> triangle{at<S, N>(0, 0), at<S, N>(8, 0), at<S, N>(0, 8)};
+  const auto triangle = right_triangle<S, N>();
   CHECK(distance(triangle, at<S, N>(-3, -4)) == num<S>(5));
   CHECK(distance(triangle, at<S, N>(3, -2)) == num<S>(2));
   CHECK(distance(triangle, at<S, N>(2, 3)) == num<S>(0));

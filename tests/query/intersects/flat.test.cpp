@@ -36,7 +36,7 @@ TEMPLATE_TEST_CASE("intersects, segment and triangle: through, edge, corner, wit
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   using Line = Segment<S, N>;
-  const Triangle<S, N> triangle{at<S, N>(0, 0), at<S, N>(8, 0), at<S, N>(0, 8)};
+  const auto triangle = right_triangle<S, N>();
   for (const auto& t : {triangle, Triangle<S, N>{triangle.a, triangle.c, triangle.b}}) {
     CHECK(meet(Line{at<S, N>(2, 2, -1), at<S, N>(2, 2, 1)}, t));
     CHECK(meet(Line{at<S, N>(4, 4, -1), at<S, N>(4, 4, 1)}, t));

@@ -5,7 +5,7 @@
 #include "detent/query/kernel/axis_push.hpp"
 #include "detent/shape/bounding_box.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "support/random_vec.hpp"
 
 namespace detent::test {
 namespace {
@@ -50,16 +50,14 @@ void compare(const A& a, const B& b, Count& count) {
 template <Scalar S>
 void compare_many(std::int64_t reach, bool is_tight, int asked, Count& count) {
   Random random(static_cast<std::uint64_t>(reach));
-  const auto number = [&](std::int64_t low, std::int64_t high) {
-    return random.number<S>(low, high);
-  };
   const auto vector = [&](std::int64_t low, std::int64_t high) {
-    return make_vec<3>([&](int) { return number(low, high); });
+    return random_vec<S, 3>(random, low, high);
   };
   const auto rotation = [&] {
     const auto axis = direction_of<S>(vector(-reach, reach));
     if (!axis || random.one_in(5)) return Rotation<S, 3>();
-    return Rotation<S, 3>::from_axis_angle(*axis, Angle<S>::from_degrees(number(0, reach)));
+    return Rotation<S, 3>::from_axis_angle(*axis,
+                                           Angle<S>::from_degrees(random.number<S>(0, reach)));
   };
   for (int i = 0; i < asked; ++i) {
     CAPTURE(reach, is_tight, i);
@@ -71,7 +69,7 @@ void compare_many(std::int64_t reach, bool is_tight, int asked, Count& count) {
       if (random.coin()) b.center = a.center;
       if (random.one_in(4)) b.half_extents = a.half_extents;
       if (random.one_in(4)) a.half_extents[k] = S(0);
-      if (random.one_in(4)) b.center[k] = saturate_to<S>(a.center[k] + number(-2, 2));
+      if (random.one_in(4)) b.center[k] = saturate_to<S>(a.center[k] + random.number<S>(-2, 2));
     }
     compare<S>(a, b, count);
     if (i % 2 == 0) compare<S>(bounding_box(a), b, count);

@@ -11,6 +11,7 @@
 #include "detent/query/kernel/gjk.hpp"
 #include "query/kernel/turns.hpp"
 #include "support/catch.hpp"
+#include "support/random_vec.hpp"
 
 namespace detent::test {
 namespace {
@@ -70,15 +71,13 @@ void compare_some(int bits, int asked, const Turn& turn, Rates& rates) {
   INFO(random);
   for (int i = 0; i < asked; ++i) {
     CAPTURE(bits, i);
-    const auto number = [&](std::int64_t low, std::int64_t high) {
-      return random.number<S>(low, high);
-    };
     const auto vector = [&](int length) {
       const auto reach = std::int64_t{1} << std::max(length, 1);
-      return make_vec<3>([&](int) { return number(-reach, reach - 1); });
+      return random_vec<S, 3>(random, -reach, reach - 1);
     };
     const auto extent = [&](int) {
-      return random.one_in(8) ? S(0) : number(0, (std::int64_t{1} << std::max(bits - 2, 1)) - 1);
+      return random.one_in(8) ? S(0)
+                              : random.number<S>(0, (std::int64_t{1} << std::max(bits - 2, 1)) - 1);
     };
     const auto rotation = turn(random);
     const Obb<S, 3> box{vector(bits - 4), make_vec<3>(extent), rotation};
@@ -90,8 +89,8 @@ void compare_some(int bits, int asked, const Turn& turn, Rates& rates) {
     if (random.one_in(3)) {
       for (auto& point : points) {
         const auto axis = rotation.axis(static_cast<int>(random.below(3)));
-        point =
-            nearest_to<S>(middle + axis.vec() * number(0, std::int64_t{1} << std::max(size, 1)));
+        point = nearest_to<S>(
+            middle + axis.vec() * random.number<S>(0, std::int64_t{1} << std::max(size, 1)));
       }
     }
     if (random.one_in(4)) points[2] = points[random.below(2)];
@@ -132,11 +131,8 @@ TEST_CASE("box and hull witness: it decides pairs in general position", "[query]
   Random random(0xb0b);
   Rates rates;
   for (int i = 0; i < 500; ++i) {
-    const auto number = [&](std::int64_t low, std::int64_t high) {
-      return S::from_raw(static_cast<std::int32_t>(random.between(low, high)));
-    };
-    const auto near = [&] { return make_vec<3>([&](int) { return number(-(3 << 16), 3 << 16); }); };
-    const Obb<S, 3> box{near(), make_vec<3>([&](int) { return number(1 << 15, 6 << 16); }),
+    const auto near = [&] { return random_vec<S, 3>(random, -(3 << 16), 3 << 16); };
+    const Obb<S, 3> box{near(), random_vec<S, 3>(random, 1 << 15, 6 << 16),
                         random_turn<S>(random, 32)};
     const auto middle = near();
     std::array<Vec<S, 3>, 12> points;

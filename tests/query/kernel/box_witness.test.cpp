@@ -9,6 +9,7 @@
 #include "detent/query/kernel/convex_body.hpp"
 #include "query/kernel/turns.hpp"
 #include "support/catch.hpp"
+#include "support/random_vec.hpp"
 
 namespace detent::test {
 namespace {
@@ -75,7 +76,7 @@ void compare_some(int bits, int asked, const Turn& turn, Rates& rates) {
     const auto box = [&](const Rotation<S, 3>& rotation) {
       const auto half = make_vec<3>([&](int) { return random_length<S>(random, bits - 2); });
       const auto reach = std::int64_t{1} << (random.one_in(8) ? bits : std::max(bits - 4, 1));
-      const auto center = make_vec<3>([&](int) { return random.number<S>(-reach, reach - 1); });
+      const auto center = random_vec<S, 3>(random, -reach, reach - 1);
       return Obb<S, 3>{center, half, rotation};
     };
     const auto rotation = turn(random);
@@ -122,11 +123,8 @@ TEST_CASE("box witness: it decides pairs in general position", "[query]") {
   Rates rates;
   for (int i = 0; i < 500; ++i) {
     const auto box = [&] {
-      const auto number = [&](std::int64_t low, std::int64_t high) {
-        return q16_16::from_raw(static_cast<std::int32_t>(random.between(low, high)));
-      };
-      const auto center = make_vec<3>([&](int) { return number(-(3 << 16), 3 << 16); });
-      const auto half = make_vec<3>([&](int) { return number(1 << 14, 3 << 16); });
+      const auto center = random_vec<q16_16, 3>(random, -(3 << 16), 3 << 16);
+      const auto half = random_vec<q16_16, 3>(random, 1 << 14, 3 << 16);
       return Obb<q16_16, 3>{center, half, random_turn<q16_16>(random, 32)};
     };
     const auto a = box();

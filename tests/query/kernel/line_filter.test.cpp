@@ -3,7 +3,7 @@
 
 #include "detent/query/raycast/triangle.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "support/random_vec.hpp"
 
 namespace detent::test {
 namespace {
@@ -12,9 +12,7 @@ TEMPLATE_TEST_CASE("line filter: rejects exactly the triangles that the line mis
                    q14_16, q24_8, q8_8) {
   using S = TestType;
   Random random(0x9a55);
-  const auto point = [&](int size) {
-    return make_vec<3>([&](int) { return random.number<S>(-size, size); });
-  };
+  const auto point = [&](int size) { return random_vec<S, 3>(random, -size, size); };
   int met = 0, missed = 0, seen_from_edge = 0;
   for (int i = 0; i < 20'000; ++i) {
     // Few raw units, so that corners and edges are often hit, but long enough to cross the

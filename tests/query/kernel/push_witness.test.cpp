@@ -8,7 +8,7 @@
 #include "detent/query/contact.hpp"
 #include "detent/query/kernel/gjk.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "support/random_vec.hpp"
 
 namespace detent::test {
 namespace {
@@ -138,7 +138,7 @@ void compare_flat(std::int64_t reach, int asked, Count& count) {
   for (int i = 0; i < asked; ++i) {
     std::array<Vec<S, 3>, 5> p;
     for (auto& corner : p) {
-      corner = make_vec<3>([&](int) { return random.number<S>(-reach, reach); });
+      corner = random_vec<S, 3>(random, -reach, reach);
     }
     CAPTURE(reach, i, p);
     const detail::HullBody triangle(std::array{p[0], p[1], p[2]});
@@ -197,8 +197,7 @@ void compare_near_ties(std::int64_t reach, std::int64_t unit, int asked, Count& 
 template <Scalar S>
 void compare_near_touches(std::int64_t reach, int asked, Count& count) {
   Random random(static_cast<std::uint64_t>(reach + asked));
-  const auto number = [&](std::int64_t limit) { return random.number<S>(-limit, limit); };
-  const auto point = [&] { return make_vec<3>([&](int) { return number(reach); }); };
+  const auto point = [&] { return random_vec<S, 3>(random, -reach, reach); };
   for (int i = 0; i < asked; ++i) {
     CAPTURE(reach, i);
     std::array<Vec<S, 3>, 10> a, b;

@@ -4,7 +4,7 @@
 #include "detent/math/direction.hpp"
 #include "detent/query/cast/point.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "support/random_vec.hpp"
 
 namespace detent::test {
 namespace {
@@ -73,7 +73,7 @@ void compare_many(std::int64_t reach, std::int64_t grid, bool flat, int asked, C
     compare(std::array{p, q, r}, std::array{u, v}, *direction, radius, limit, count);
     compare(std::array{p, q, r}, std::array{u, v, w}, *direction, radius, limit, count);
     // Nearly parallel edges, and equal corners.
-    const auto step = make_vec<3>([&](int) { return random.number<S>(-1, 1); });
+    const auto step = random_vec<S, 3>(random, -1, 1);
     const auto beside = nearest_to<S>(u + (q - p) + step);
     compare(std::array{p, q}, std::array{u, beside}, *direction, radius, limit, count);
     compare(std::array{p, q}, std::array{u, beside, v}, *direction, radius, limit, count);

@@ -86,8 +86,7 @@ TEMPLATE_TEST_CASE("overlaps, hull: one raw unit decides, at the ends of the dom
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const auto half = half_domain<S, N>();
-  auto on = Vec<S, N>(), beside = on;
-  beside.x = moved(S(0), -1);
+  const auto on = Vec<S, N>(), beside = in_steps<S, N>(-1, 0);
   CHECK(meets(Sphere<S, N>{on, S(0)}, half));
   CHECK_FALSE(meets(Sphere<S, N>{beside, S(0)}, half));
   CHECK(meets(Sphere<S, N>{beside, moved(S(0), 1)}, half));

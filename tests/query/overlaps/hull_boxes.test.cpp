@@ -36,8 +36,7 @@ TEMPLATE_TEST_CASE("overlaps, box and hull: one raw unit decides, at the ends of
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const auto half = half_domain<S, N>();
-  auto on = Vec<S, N>(), beside = on;
-  beside.x = moved(S(0), -1);
+  const auto on = Vec<S, N>(), beside = in_steps<S, N>(-1, 0);
   CHECK(meets(Aabb<S, N>{on, on}, half));
   CHECK_FALSE(meets(Aabb<S, N>{beside, beside}, half));
   CHECK(meets(Obb<S, N>{on, {}, {}}, half));

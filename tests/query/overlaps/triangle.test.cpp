@@ -10,7 +10,7 @@ static_assert(overlaps(Triangle<q16_16, 3>{}, Triangle<q16_16, 3>{}));
 static_assert(overlaps(Triangle<q16_16, 2>{}, Aabb<q16_16, 2>{}));
 
 template <Scalar S, int N>
-const Triangle<S, N> wedge{at<S, N>(0, 0), at<S, N>(8, 0), at<S, N>(0, 8)};
+const auto wedge = right_triangle<S, N>();
 
 TEMPLATE_TEST_CASE("overlaps, aabb and triangle: corner, edge, face, inside, collapsed, empty",
                    "[overlaps]", DETENT_EVERY_SPACE) {

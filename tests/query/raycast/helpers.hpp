@@ -41,6 +41,18 @@ constexpr Vec<S, N> filled(S value) {
   return result;
 }
 
+/// The triangle (0, 0), (8, 0), (0, 8).
+template <Scalar S, int N>
+constexpr Triangle<S, N> right_triangle() {
+  return {at<S, N>(0, 0), at<S, N>(8, 0), at<S, N>(0, 8)};
+}
+
+/// A triangle, and the same one the other way round.
+template <Scalar S, int N>
+constexpr std::array<Triangle<S, N>, 2> both_orders(const Triangle<S, N>& triangle) {
+  return {triangle, Triangle<S, N>{triangle.a, triangle.c, triangle.b}};
+}
+
 /// `value` plus `steps` of a fixed scalar's smallest step, to test exact boundaries.
 template <Scalar S>
 requires is_fixed<S>

@@ -140,10 +140,8 @@ class LayOut {
   constexpr void operator()(const SliderJoint<S, N>& joint) const noexcept {
     line(joint);
     if (joint.motor_force > 0) {
-      push(0, Law::motor);
       auto& terms = ready_.push[0].terms;
-      terms.target = quotient_nearest<typename F::Speed>(joint.motor_speed, as_operand<S>(rate_));
-      terms.is_capped = true;
+      motor(terms, joint.motor_speed);
       terms.most = over_masses<typename F::Impulse>(joint.motor_force, a_, b_, rate_);
     }
     stiff();
@@ -156,13 +154,19 @@ class LayOut {
   }
 
  private:
-  constexpr void push(std::size_t i, Law law) const noexcept {
-    ready_.push[i].terms.law = law;
-    ready_.push[i].terms.soft = joint_softness<S>;
+  template <class RowTerms>
+  static constexpr void set_law(RowTerms& terms, Law law) noexcept {
+    terms.law = law;
+    terms.soft = joint_softness<S>;
   }
-  constexpr void turn(std::size_t i, Law law) const noexcept {
-    ready_.turn[i].terms.law = law;
-    ready_.turn[i].terms.soft = joint_softness<S>;
+  constexpr void push(std::size_t i, Law law) const noexcept { set_law(ready_.push[i].terms, law); }
+  constexpr void turn(std::size_t i, Law law) const noexcept { set_law(ready_.turn[i].terms, law); }
+  /// Its greatest force or torque is set by the caller.
+  template <class RowTerms>
+  constexpr void motor(RowTerms& terms, const S& speed) const noexcept {
+    set_law(terms, Law::motor);
+    terms.target = quotient_nearest<decltype(terms.target)>(speed, as_operand<S>(rate_));
+    terms.is_capped = true;
   }
   template <class Joint>
   constexpr void spring(std::size_t i, const Joint& joint) const noexcept {
@@ -193,10 +197,7 @@ class LayOut {
   template <class Joint>
   constexpr void turning(const Joint& joint, bool has_limits) const noexcept {
     if (joint.motor_torque > 0) {
-      turn(0, Law::motor);
-      auto& terms = ready_.turn[0].terms;
-      terms.target = quotient_nearest<typename F::Spin>(joint.motor_speed, as_operand<S>(rate_));
-      terms.is_capped = true;
+      motor(ready_.turn[0].terms, joint.motor_speed);
       ready_.torque = over_masses<typename F::Torque>(joint.motor_torque, a_, b_, rate_);
     }
     if (has_limits) limit_angle();

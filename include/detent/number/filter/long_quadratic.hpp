@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "detent/number/filter/leading.hpp"
+#include "detent/number/quadratic.hpp"
 
 namespace detent {
 
@@ -80,7 +81,7 @@ class LongQuadratic {
     const auto [root, scale] = leading_root(d_ * e_);
     T t = quotient_floor<T>(scaled(c_, scale), root - scaled(b_, scale));
     if constexpr (is_fixed<T>) {
-      if (sign_at(t) < 0 || slope_at(t) > 0) t = step(t, -1);
+      if (sign_at(t) < 0 || slope_at(t) > 0) t = detail::previous_raw(t);
       DETENT_ASSERT(sign_at(t) >= 0 && slope_at(t) <= 0);
     }
     return t;
@@ -102,11 +103,11 @@ class LongQuadratic {
                   : quotient_floor<T>(-scaled(c_, scale), root + scaled(b_, scale));
     if constexpr (is_fixed<T>) {
       if (is_beyond(t)) {
-        t = step(t, -1);
-      } else if (const T after = step(t, 1); !is_beyond(after)) {
+        t = detail::previous_raw(t);
+      } else if (const T after = detail::next_raw(t); !is_beyond(after)) {
         t = after;
       }
-      DETENT_ASSERT(!is_beyond(t) && is_beyond(step(t, 1)));
+      DETENT_ASSERT(!is_beyond(t) && is_beyond(detail::next_raw(t)));
     }
     return t;
   }
@@ -117,17 +118,11 @@ class LongQuadratic {
   [[nodiscard]] static constexpr auto scaled(const T& x, int scale) noexcept {
     return scale_up<bits_of<T> + 63>(x, scale);
   }
-  template <class T>
-  [[nodiscard]] static constexpr T step(const T& t, int count) noexcept {
-    return T::assume_raw(static_cast<typename T::raw_type>(t.raw() + count));
-  }
 
   /// The sign of the polynomial at t.
   template <Number T>
   [[nodiscard]] constexpr int sign_at(const T& t) const noexcept {
-    const auto rising = (a_ * t + b_ + b_) * t;
-    const auto level = -c_;
-    return (rising > level) - (rising < level);
+    return detail::sign_of_quadratic(a_, b_, c_, t);
   }
   /// The sign of the polynomial's slope at t.
   template <Number T>

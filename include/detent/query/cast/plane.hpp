@@ -6,6 +6,7 @@
 
 #include "detent/number/filter/leading.hpp"
 #include "detent/number/filter/ratio.hpp"
+#include "detent/number/next_up.hpp"
 #include "detent/query/cast/touch.hpp"
 #include "detent/query/kernel/point_plane.hpp"
 #include "detent/query/kernel/rounded_point.hpp"
@@ -100,7 +101,7 @@ template <bool WithNormal, class A, Scalar S, int N>
       const Leading reach = Leading(height) + sqrt(rr);
       const S below = floor_below<S>(Leading(beyond) / reach / Leading(narrow_negative(speed)));
       if (below == limit) return below;
-      const S above = S::assume_raw(static_cast<typename S::raw_type>(below.raw() + 1));
+      const S above = next_raw(below);
       return sign_at(above) >= 0 ? above : below;
     } else {
       const S t = (height - radius * sqrt_floor<S>(nn)) / -speed;

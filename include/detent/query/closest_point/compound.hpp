@@ -2,7 +2,7 @@
 #pragma once
 
 #include "detent/math/vec.hpp"
-#include "detent/shape/compound.hpp"
+#include "detent/query/kernel/nearest_part.hpp"
 
 namespace detent {
 
@@ -18,16 +18,9 @@ namespace detent {
 template <class... Shapes, Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point(const Compound<Shapes...>& compound,
                                                 const Vec<S, N>& point) noexcept {
-  S least = largest<S>;
   Vec<S, N> closest = point;
-  bool is_first = true;
-  for_each_part(compound, [&](const auto& part) {
-    const S to_part = distance(part, point);
-    if (!is_first && to_part >= least) return;
-    is_first = false;
-    least = to_part;
-    closest = closest_point(part, point);
-  });
+  detail::visit_nearer_parts<S>(compound, point,
+                                [&](const auto& part) { closest = closest_point(part, point); });
   return closest;
 }
 

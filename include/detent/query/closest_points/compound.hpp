@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "detent/query/kernel/argument.hpp"
-#include "detent/shape/compound.hpp"
+#include "detent/query/kernel/nearest_part.hpp"
 
 namespace detent {
 
@@ -25,15 +25,8 @@ requires(!detail::IsPoint<Shape>)
   using Points = decltype(closest_points(std::declval<const First&>(), shape));
   using S = decltype(distance(std::declval<const First&>(), shape));
   Points points;
-  S least = largest<S>;
-  bool is_first = true;
-  for_each_part(compound, [&](const auto& part) {
-    const S to_part = distance(part, shape);
-    if (!is_first && to_part >= least) return;
-    is_first = false;
-    least = to_part;
-    points = closest_points(part, shape);
-  });
+  detail::visit_nearer_parts<S>(compound, shape,
+                                [&](const auto& part) { points = closest_points(part, shape); });
   return points;
 }
 template <class Shape, class... Shapes>

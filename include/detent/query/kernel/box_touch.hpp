@@ -10,6 +10,7 @@
 
 #include "detent/number/filter/filtered.hpp"
 #include "detent/number/filter/leading.hpp"
+#include "detent/number/next_up.hpp"
 #include "detent/query/kernel/approach.hpp"
 #include "detent/query/kernel/touch_witness.hpp"
 
@@ -52,11 +53,11 @@ class BoxTouch {
       if (!(time < limit)) return none;
       const S steps = proposed();
       if (steps > 0) {
-        time = steps < limit - time ? S(narrow<S::bits>(time + steps)) : before(limit);
+        time = steps < limit - time ? S(narrow<S::bits>(time + steps)) : previous_raw(limit);
         now_ = state_at(time);
         if (is_apart(now_) != Filtered::yes || closes_in(now_) != Filtered::yes) return unsure;
       }
-      const S next = S::assume_raw(static_cast<typename S::raw_type>(time.raw() + 1));
+      const S next = next_raw(time);
       next_ = state_at(next);
       const auto is_still_apart = is_apart(next_);
       if (is_still_apart == Filtered::no) return {time, true};
@@ -119,9 +120,6 @@ class BoxTouch {
 
   [[nodiscard]] static constexpr Places placed(const Corner& corner) noexcept {
     return make_vec<dimension>([&](int i) { return floor_to<Place>(corner[i]); });
-  }
-  [[nodiscard]] static constexpr S before(const S& x) noexcept {
-    return S::assume_raw(static_cast<typename S::raw_type>(x.raw() - 1));
   }
 
   [[nodiscard]] constexpr State state_at(const S& time) const noexcept {

@@ -10,6 +10,7 @@
 
 #include "detent/math/width.hpp"
 #include "detent/number/filter/filtered.hpp"
+#include "detent/number/next_up.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/gjk.hpp"
 #include "detent/query/kernel/planar_search.hpp"
@@ -73,7 +74,7 @@ class TouchWitness {
       if (!(speed > 0) || gap > speed * limit) return {std::nullopt, true};
       // Until then they are apart along `across_`.
       const S next = quotient_floor<S>(gap, speed);
-      if (next < limit && meet_at(after(next), radius_)) return {next, true};
+      if (next < limit && meet_at(next_raw(next), radius_)) return {next, true};
       if (!(next < limit)) return unsure;
       if (!(next > time)) return sharper(time, limit);
       time = next;
@@ -126,7 +127,7 @@ class TouchWitness {
       }
     }
     if (!holds_closest(feature, time)) return std::nullopt;
-    if (!holds_closest(feature, after(time))) return std::nullopt;
+    if (!holds_closest(feature, next_raw(time))) return std::nullopt;
     return feature;
   }
 
@@ -142,7 +143,7 @@ class TouchWitness {
       const auto floor = quotient_floor<T>(reached, sqrt_ceil<Fixed<62, 16>>(squared_length(u)));
       return Decided<T>{floor, floor < largest<T>};
     });
-    return {distance.value, distance.is_sure && meet_at(S(0), after(distance.value))};
+    return {distance.value, distance.is_sure && meet_at(S(0), next_raw(distance.value))};
   }
 
   /// The point of `b` closest to `a` at `time`, rounded to nearest; nothing unless it is simply the
@@ -270,7 +271,7 @@ class TouchWitness {
             return least == corner || !(dot(v, least) < dot(v, corner));
           };
           int side = 0;
-          for (const S& t : std::array{time, after(time)}) {
+          for (const S& t : std::array{time, next_raw(time)}) {
             const auto moved_by = speed * t;
             if (first > moved_by || last < moved_by) return false;
             const int now = height < sinking * t ? -1 : 1;
@@ -451,7 +452,7 @@ class TouchWitness {
       if (!(speed > 0) || !(gap > speed * time)) return {std::nullopt, false};
       if (gap > speed * limit) return {std::nullopt, true};
       const S next = quotient_floor<S>(gap, speed);
-      if (next < limit && this->meet_at(after(next), radius_)) return {next, true};
+      if (next < limit && this->meet_at(next_raw(next), radius_)) return {next, true};
       return {std::nullopt, false};
     });
   }
@@ -471,12 +472,6 @@ class TouchWitness {
       return same_sign(dot(last, c1), narrow_negative(dot(last, c0)), dot(first, c3),
                        narrow_negative(dot(first, c2)));
     }
-  }
-
-  /// The next number on the grid.
-  template <Number T>
-  [[nodiscard]] static constexpr T after(const T& x) noexcept {
-    return T::assume_raw(static_cast<typename T::raw_type>(x.raw() + 1));
   }
 
   /// Whether a difference in the feature is nearer than `radius` at `time`.

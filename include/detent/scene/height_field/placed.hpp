@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "detent/scene/asset_key.hpp"
+#include "detent/scene/asset_instance.hpp"
 #include "detent/scene/height_field/asset.hpp"
 #include "detent/scene/height_field/walk.hpp"
 #include "detent/scene/mesh/placed_surface.hpp"
@@ -35,22 +35,9 @@ inline constexpr bool is_surface<PlacedField> = true;
 template <>
 inline constexpr bool is_placed_surface<PlacedField> = true;
 
-/// Appends to a digest: id and digest of the field (zeros for none), and the
-/// translation.
-template <class D, Scalar S>
-constexpr void append(D& digest, const PlacedField<S>& field) noexcept {
-  const detail::AssetKey key(field.asset);
-  digest.add(key.id, key.digest, field.translation);
-}
-
-/// Its fields in a `Desync`: see fields.hpp.
-template <Scalar S, class F>
-constexpr void for_each_field(const PlacedField<S>& field, const F& f) {
-  const detail::AssetKey key(field.asset);
-  f("height field", key.id);
-  f("digest of its heights", key.digest);
-  f("translation", field.translation);
-}
+template <Scalar S>
+inline constexpr detail::AssetNames detail::asset_names<PlacedField<S>>{"height field",
+                                                                        "digest of its heights"};
 
 /// The field moved by a vector: the translation is rounded to nearest and clamped.
 template <Scalar S>

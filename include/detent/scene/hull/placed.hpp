@@ -22,7 +22,7 @@
 #include "detent/query/overlaps/sphere_hull.hpp"
 #include "detent/query/overlaps/triangle_hull.hpp"
 #include "detent/query/raycast/hull.hpp"
-#include "detent/scene/asset_key.hpp"
+#include "detent/scene/asset_instance.hpp"
 #include "detent/scene/hull/asset.hpp"
 #include "detent/scene/mesh/surface.hpp"
 #include "detent/scene/put.hpp"
@@ -32,21 +32,9 @@
 
 namespace detent {
 
-/// Appends to a digest: id and digest of the hull (zeros for none), and the transform.
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const PlacedHull<S, N>& hull) noexcept {
-  const detail::AssetKey key(hull.asset);
-  digest.add(key.id, key.digest, hull.transform);
-}
-
-/// Its fields in a `Desync`: see fields.hpp.
-template <Scalar S, int N, class F>
-constexpr void for_each_field(const PlacedHull<S, N>& hull, const F& f) {
-  const detail::AssetKey key(hull.asset);
-  f("hull", key.id);
-  f("digest of its points", key.digest);
-  for_each_field(hull.transform, f);
-}
+template <Scalar S, int N>
+inline constexpr detail::AssetNames detail::asset_names<PlacedHull<S, N>>{"hull",
+                                                                          "digest of its points"};
 
 /// The hull moved by a vector: the translation is rounded to nearest and clamped.
 template <Scalar S, int N>

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "detent/scene/asset_key.hpp"
+#include "detent/scene/asset_instance.hpp"
 #include "detent/scene/mesh/asset.hpp"
 #include "detent/scene/mesh/placed_surface.hpp"
 #include "detent/scene/shape_tag.hpp"
@@ -34,21 +34,9 @@ inline constexpr bool is_surface<PlacedMesh> = true;
 template <>
 inline constexpr bool is_placed_surface<PlacedMesh> = true;
 
-/// Appends to a digest: id and digest of the mesh (zeros for none), and the transform.
-template <class D, Scalar S>
-constexpr void append(D& digest, const PlacedMesh<S>& mesh) noexcept {
-  const detail::AssetKey key(mesh.asset);
-  digest.add(key.id, key.digest, mesh.transform);
-}
-
-/// Its fields in a `Desync`: see fields.hpp.
-template <Scalar S, class F>
-constexpr void for_each_field(const PlacedMesh<S>& mesh, const F& f) {
-  const detail::AssetKey key(mesh.asset);
-  f("mesh", key.id);
-  f("digest of its triangles", key.digest);
-  for_each_field(mesh.transform, f);
-}
+template <Scalar S>
+inline constexpr detail::AssetNames detail::asset_names<PlacedMesh<S>>{"mesh",
+                                                                       "digest of its triangles"};
 
 /// The mesh moved by a vector: the translation is rounded to nearest and clamped.
 template <Scalar S>

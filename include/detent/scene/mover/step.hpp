@@ -217,7 +217,7 @@ class Stepper {
   /// The next guard. Scalars that round keep it.
   static constexpr void spend(S& guard) noexcept {
     if constexpr (is_fixed<S>) {
-      if (guard != 0) guard = S::assume_raw(static_cast<typename S::raw_type>(guard.raw() - 1));
+      if (guard != 0) guard = previous_raw(guard);
     }
   }
 
