@@ -195,8 +195,10 @@ void add_verify(CLI::App& app, Arguments& arguments) {
   command->add_option("--threads", options.threads, "Number of threads; 0 for one per processor")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
-  command->add_flag("--golden", options.golden, "Print a new src/verify/golden.hpp");
+  CLI::Option* const golden =
+      command->add_flag("--golden", options.golden, "Print a new src/verify/golden.hpp");
   command->add_flag("--results", options.results, "Print the lines of tests/verify/results.txt");
+  command->add_flag("--table", options.table, "After --golden also print the table")->needs(golden);
   command->final_callback([&] { arguments.is_right = verify(options); });
 }
 

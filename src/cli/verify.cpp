@@ -448,7 +448,12 @@ bool verify(const VerifyOptions& options) {
     const auto questions = question_digests(options.threads);
     if (options.golden) print(golden_header(rows, questions, options.threads));
     if (options.results) print(results(rows, questions));
-    return true;
+    if (!options.table) return true;
+    set_golden(rows, verify::golden::full);
+    const std::vector<Difference> unjudged;
+    const Report report{rows, unjudged, verify::full_size, true};
+    print(report.table());
+    return report.is_golden();
   }
   const auto size = options.small ? verify::small_size : verify::full_size;
   auto rows = chosen_rows(options.only);

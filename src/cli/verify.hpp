@@ -11,6 +11,7 @@ struct VerifyOptions {
   bool json = false;
   bool golden = false;   // print src/verify/golden.hpp instead
   bool results = false;  // print the lines of tests/verify/results.txt instead
+  bool table = false;    // and then the table too
   std::string only;      // rows whose name starts with this
   std::string dump;      // a file for the results
   int threads = 0;
