@@ -119,12 +119,6 @@ class Draw {
     return from == to ? any_direction() : along(v);
   }
 
-  /// From one point towards another or near it: about half of the rays hit a shape of the size
-  /// `reach` there.
-  Direction<S, N> roughly_towards(const Raw<N>& from, const Raw<N>& to, std::int64_t reach) {
-    return towards(from, near(to, random.between(0, N == 2 ? reach : reach / 2)));
-  }
-
   /// The magnitude of the coordinates of one case: from a few raw units to half the world.
   std::int64_t scale() { return std::int64_t{1} << random.between(4, bits - 1); }
   Raw<N> point(std::int64_t reach) {

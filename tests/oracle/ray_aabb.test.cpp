@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/ray_exam.hpp"
+#include "oracle/ray_box.hpp"
 
 namespace detent::oracle {
 namespace {
@@ -8,6 +8,10 @@ template <Scalar S, int N>
 void draw_cases(RayExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, long count) {
   struct Box {
     Raw<N> min, max;
+  };
+  const auto question = [&](const Raw<N>& origin, const Direction<S, N>& direction, S max_distance,
+                            const Box& b) {
+    return std::pair{draw.ray(origin, direction, max_distance), from_raw<Aabb<S, N>>(b.min, b.max)};
   };
   const auto box = [&](std::int64_t scale) {
     const auto center = draw.point(scale);
@@ -30,14 +34,7 @@ void draw_cases(RayExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, lon
     return result;
   };
 
-  exam.family("random", count * 30 / 100, 30, 70, [&] {
-    const auto scale = draw.scale();
-    const auto origin = draw.point(scale);
-    const auto b = box(scale);
-    const auto direction = draw.roughly_towards(origin, on_edge(b, draw.size), scale);
-    return std::pair{draw.ray(origin, direction, draw.reach(scale)),
-                     from_raw<Aabb<S, N>>(b.min, b.max)};
-  });
+  draw_rays_at_boxes(exam, draw, count * 30 / 100, box, on_edge, question);
 
   // Aimed at an edge or a corner; rounding to the grid may make it miss by a raw unit or so.
   exam.family("grazing", count * 20 / 100, 30, 80, [&] {
@@ -46,8 +43,7 @@ void draw_cases(RayExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, lon
     const auto direction = random.one_in(3) ? draw.axis_direction() : draw.any_direction();
     const auto target = draw.near(on_edge(b, random.below(draw.size)), random.coin() ? 1 : 0);
     const auto origin = draw.moved(target, direction, -random.between(-scale / 4, 2 * scale));
-    return std::pair{draw.ray(origin, direction, draw.reach(scale)),
-                     from_raw<Aabb<S, N>>(b.min, b.max)};
+    return question(origin, direction, draw.reach(scale), b);
   });
 
   // Exactly through a point of an edge or a corner, or through that point moved by a raw unit; the
@@ -63,8 +59,7 @@ void draw_cases(RayExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, lon
     const auto norm = axis == frame.axes[0] ? frame.norm : 1;
     const auto origin =
         draw.plus(target, axis, -random.between(-steps / 4, norm == 1 ? scale : steps));
-    return std::pair{draw.ray(origin, draw.stretched(axis, norm), draw.reach(scale)),
-                     from_raw<Aabb<S, N>>(b.min, b.max)};
+    return question(origin, draw.stretched(axis, norm), draw.reach(scale), b);
   });
 
   exam.family("inside", count * 8 / 100, 50, 100, [&] {
@@ -73,8 +68,7 @@ void draw_cases(RayExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, lon
     const auto origin =
         draw.near(on_edge(b, random.below(draw.size + 1)), random.one_in(4) ? 1 : 0);
     const auto direction = random.coin() ? draw.any_direction() : draw.axis_direction();
-    return std::pair{draw.ray(origin, direction, draw.reach(scale)),
-                     from_raw<Aabb<S, N>>(b.min, b.max)};
+    return question(origin, direction, draw.reach(scale), b);
   });
 
   // Flat on some axes and inverted on others.
@@ -92,8 +86,7 @@ void draw_cases(RayExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, lon
     const auto steps = scale / frame.norm + 1;
     const auto origin =
         draw.plus(target, axis, -random.between(-steps / 4, norm == 1 ? scale : steps));
-    return std::pair{draw.ray(origin, draw.stretched(axis, norm), draw.reach(scale)),
-                     from_raw<Aabb<S, N>>(b.min, b.max)};
+    return question(origin, draw.stretched(axis, norm), draw.reach(scale), b);
   });
 
   exam.family("tiny", count * 6 / 100, 5, 90, [&] {
@@ -105,7 +98,7 @@ void draw_cases(RayExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, lon
     const auto direction = random.one_in(3)   ? draw.stretched(frame.axes[0], frame.norm)
                            : random.one_in(3) ? draw.axis_direction()
                                               : draw.towards(origin, draw.near(min, 2));
-    return std::pair{draw.ray(origin, direction, draw.reach(4)), from_raw<Aabb<S, N>>(min, max)};
+    return question(origin, direction, draw.reach(4), Box{min, max});
   });
 
   exam.family("extreme", count * 10 / 100, 5, 95, [&] {
@@ -118,9 +111,8 @@ void draw_cases(RayExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, lon
     const auto direction = random.one_in(3)   ? draw.axis_direction()
                            : random.one_in(3) ? draw.any_direction()
                                               : draw.towards(origin, random.coin() ? min : max);
-    return std::pair{
-        draw.ray(origin, direction, random.one_in(3) ? draw.scalar(draw.extreme()) : S::max()),
-        from_raw<Aabb<S, N>>(min, max)};
+    const S max_distance = random.one_in(3) ? draw.scalar(draw.extreme()) : S::max();
+    return question(origin, direction, max_distance, Box{min, max});
   });
 }
 

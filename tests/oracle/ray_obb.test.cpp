@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/ray_exam.hpp"
+#include "oracle/ray_box.hpp"
 
 namespace detent::oracle {
 namespace {
@@ -36,13 +36,7 @@ void draw_cases(RayExam<S, N>& exam, Draw<S, N>& draw, test::Random& random, lon
     return result;
   };
 
-  exam.family("random", count * 30 / 100, 30, 70, [&] {
-    const auto scale = draw.scale();
-    const auto origin = draw.point(scale);
-    const auto b = box(scale);
-    const auto direction = draw.roughly_towards(origin, on_edge(b, draw.size), scale);
-    return question(origin, direction, draw.reach(scale), b);
-  });
+  draw_rays_at_boxes(exam, draw, count * 30 / 100, box, on_edge, question);
 
   exam.family("grazing", count * 20 / 100, 30, 70, [&] {
     const auto scale = draw.scale();

@@ -67,10 +67,7 @@ void compare(const Obb<S, 3>& box, const Shape& shape, Rates& rates) {
 /// one point, and some corners are twice in a list.
 template <Scalar S, class Turn>
 void compare_some(int bits, int asked, const Turn& turn, Rates& rates) {
-  Random random(static_cast<std::uint64_t>(bits));
-  INFO(random);
-  for (int i = 0; i < asked; ++i) {
-    CAPTURE(bits, i);
+  repeat(bits, asked, [&](Random& random) {
     const auto vector = [&](int length) {
       const auto reach = std::int64_t{1} << std::max(length, 1);
       return random_vec<S, 3>(random, -reach, reach - 1);
@@ -98,7 +95,7 @@ void compare_some(int bits, int asked, const Turn& turn, Rates& rates) {
     compare(box, Triangle<S, 3>{points[0], points[1], points[2]}, rates);
     const auto count = std::array{1u, 2u, 5u, 8u, 16u, 18u}[random.below(6)];
     compare(box, ConvexHull<S, 3>{std::span<const Vec<S, 3>>(points.data(), count)}, rates);
-  }
+  });
 }
 
 TEMPLATE_TEST_CASE("box and hull witness: what it is sure of is exact", "[query]", q16_16, q14_16,

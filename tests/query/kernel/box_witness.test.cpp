@@ -69,10 +69,7 @@ void compare(const Obb<S, 3>& a, const Obb<S, 3>& b, Rates& rates) {
 /// Boxes with lengths below 2^bits steps, and rotations by `turn(random)`.
 template <Scalar S, class Turn>
 void compare_some(int bits, int asked, const Turn& turn, Rates& rates) {
-  Random random(static_cast<std::uint64_t>(bits));
-  INFO(random);
-  for (int i = 0; i < asked; ++i) {
-    CAPTURE(bits, i);
+  repeat(bits, asked, [&](Random& random) {
     const auto box = [&](const Rotation<S, 3>& rotation) {
       const auto half = make_vec<3>([&](int) { return random_length<S>(random, bits - 2); });
       const auto reach = std::int64_t{1} << (random.one_in(8) ? bits : std::max(bits - 4, 1));
@@ -92,7 +89,7 @@ void compare_some(int bits, int asked, const Turn& turn, Rates& rates) {
     compare(a, b, rates);
     b.rotation = Rotation<S, 3>::from_axes({tilted.axis(0), tilted.axis(1), tilted.axis(1)});
     compare(b, a, rates);
-  }
+  });
 }
 
 TEMPLATE_TEST_CASE("box witness: what it is sure of is exact", "[query]", q16_16, q14_16, q24_8) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "detent/math/rotation.hpp"
+#include "support/catch.hpp"
 #include "support/random.hpp"
 
 namespace detent::test {
@@ -16,6 +17,17 @@ Rotation<S, 3> random_turn(Random& random, int bits) {
   };
   const auto x = angle(), y = angle();
   return Rotation<S, 3>::from_euler(x, y, angle());
+}
+
+/// Calls compare(random) `asked` times, with random numbers of their own for each `bits`.
+template <class Compare>
+void repeat(int bits, int asked, const Compare& compare) {
+  Random random(static_cast<std::uint64_t>(bits));
+  INFO(random);
+  for (int i = 0; i < asked; ++i) {
+    CAPTURE(bits, i);
+    compare(random);
+  }
 }
 
 }  // namespace detent::test
