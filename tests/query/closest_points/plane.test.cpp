@@ -75,7 +75,7 @@ void compare_planes(std::uint64_t seed) {
           per_a * static_cast<double>(a.offset) + per_b * static_cast<double>(b.offset);
       bool is_near = j < 20;
       for (int k = 0; k < N; ++k) {
-        is_near |= std::abs(steps[k] - std::floor(steps[k]) - 0.5) * 65536 < 1;
+        is_near |= std::abs(steps[k] - std::floor(steps[k]) - 0.5) * 16384 < 1;
       }
       if (!is_near) continue;
       const auto found = detail::decide_point_of_planes(a, b);
