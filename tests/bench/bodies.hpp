@@ -58,9 +58,9 @@ void visit_body(const Visit& visit) {
   } else if constexpr (Row == 6) {
     visit(query<Terrain, Sphere>("contacts/mesh_sphere", ask_mesh_contacts, {2092, 2061}));
   } else if constexpr (Row == 7) {
-    visit(query<Terrain, Capsule>("contacts/mesh_capsule", ask_mesh_contacts, {2057, 2096}));
+    visit(query<Terrain, Capsule>("contacts/mesh_capsule", ask_mesh_contacts, {2032, 2071}));
   } else if constexpr (Row == 8) {
-    visit(query<Terrain, Obb>("contacts/mesh_obb", ask_mesh_contacts, {2040, 2075}));
+    visit(query<Terrain, Obb>("contacts/mesh_obb", ask_mesh_contacts, {2043, 2055}));
   } else if constexpr (Row == 9) {
     visit(query<Terrain, Sphere>("distance/mesh_sphere", ask_mesh_distance, {2015, 2060}));
   } else if constexpr (Row == 10) {

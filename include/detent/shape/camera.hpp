@@ -105,11 +105,11 @@ template <Scalar S, Number X, Number Unit>
   if constexpr (is_fixed<S> && has_filters) {
     if (camera.lens.has_perspective()) {
       const auto unit = decide_direction(camera.pose.rotation, camera.lens, at.x, at.y, at.unit);
-      if (unit.is_sure) {
-        using Component = direction_component<S>;
-        const auto c = [&](std::size_t i) { return narrow<Component::bits>(unit.value[i]); };
-        return {camera.pose.translation, Direction<S, 3>::assume_unit({c(0), c(1), c(2)})};
-      }
+      if (!unit.is_sure) [[unlikely]]
+        return exact_pick_ray(camera, OnScreen{at.x, at.y, at.unit});
+      using Component = direction_component<S>;
+      const auto c = [&](std::size_t i) { return narrow<Component::bits>(unit.value[i]); };
+      return {camera.pose.translation, Direction<S, 3>::assume_unit({c(0), c(1), c(2)})};
     }
   }
   return exact_pick_ray(camera, at);

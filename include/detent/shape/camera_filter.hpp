@@ -20,28 +20,39 @@ template <Scalar S, Number X, Number Unit>
 [[nodiscard]] constexpr auto decide_direction(const Rotation<S, 3>& frame, const Lens<S>& lens,
                                               const X& x, const X& y, const Unit& unit) noexcept {
   using Component = direction_component<S>;
-  const auto right = x * lens.slope(0), up = y * lens.slope(1);
-  using Product = decltype(right);
-  constexpr int near_bits = Product::frac + 2;
-  if constexpr (Unit::bits == 1 && Unit::frac == 0 && Product::frac <= 60) {
+  using Sum = Fixed<62, 58>;
+  UnitFilter<Component, 3> unknown;
+  unknown.is_sure = false;
+  // `ahead` returns a component of unit axis(2).
+  const auto decide = [&](const auto& right, const auto& up, const auto& ahead) {
+    return decide_opposite<Component>(to_array(make_vec<3>([&](int j) {
+      const auto across = narrow_sum<62>(floor_product<Sum>(right, frame.axis(0)[j]),
+                                         floor_product<Sum>(up, frame.axis(1)[j]));
+      return narrow_difference<62>(ahead(frame.axis(2)[j]), across);
+    })));
+  };
+  if constexpr (Unit::bits == 1 && Unit::frac == 0) {
     // `unit` is 1, and most of what is seen is at most 4 times as far from the axis as from the eye.
-    if (!fits<near_bits>(Vec{right, up})) return UnitFilter<Component, 3>{};
-    using Weight = Fixed<63, 60>;
-    using Sum = Fixed<62, 58>;
-    const Vec weights{Weight(at_most<near_bits>(right)), Weight(at_most<near_bits>(up))};
-    return decide_unit<Component>(to_array(make_vec<3>([&](int j) {
-      const Vec row{frame.axis(0)[j], frame.axis(1)[j]};
-      const auto across = narrow_dot<64 + Component::bits>(row, weights);
-      return narrow_difference<62>(narrow_floor<Sum>(across), Sum(frame.axis(2)[j]));
-    })));
+    const auto right = x * lens.slope(0), up = y * lens.slope(1);
+    constexpr int frac = decltype(right)::frac;
+    // Products with components of 15 bits fit a word.
+    constexpr int weight_frac = Component::frac == 14 && frac <= 44 ? 44 : 60;
+    if constexpr (frac <= weight_frac) {
+      using Weight = Fixed<weight_frac + 2, weight_frac>;
+      if (!fits<frac + 2>(Vec{right, up})) return unknown;
+      return decide(Weight(at_most<frac + 2>(right)), Weight(at_most<frac + 2>(up)),
+                    [](const Component& c) { return Sum(c); });
+    } else {
+      return unknown;
+    }
   } else {
-    using Weight = Fixed<(std::max)(Product::bits, Unit::bits + Product::frac), Product::frac>;
-    const auto weights = from_array(
-        leading_bits(std::array{Weight(right), Weight(up), narrow_negative(Weight(unit))}));
-    return decide_unit<Component>(to_array(make_vec<3>([&](int j) {
-      const Vec row{frame.axis(0)[j], frame.axis(1)[j], frame.axis(2)[j]};
-      return narrow_floor<Fixed<62, 30>>(narrow_dot<65 + Component::bits>(row, weights));
-    })));
+    if (!fits<30>(Vec{x, y}) || !fits<30>(unit)) return unknown;
+    using Product = Fixed<62, Lens<S>::Slope::frac>;
+    const auto weights = in_units(Product(at_most<30>(x) * lens.slope(0)),
+                                  Product(at_most<30>(y) * lens.slope(1)), at_most<30>(unit));
+    if (!weights.is_sure) return unknown;
+    return decide(weights.value[0], weights.value[1],
+                  [&](const Component& c) { return floor_product<Sum>(weights.value[2], c); });
   }
 }
 

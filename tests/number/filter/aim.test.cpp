@@ -10,47 +10,51 @@
 namespace detent::test {
 namespace {
 
-template <int Bits>
-void check_leading_bits(std::uint64_t seed) {
-  using T = Fixed<Bits, 4>;
-  using Raw = typename T::raw_type;
-  Random random(seed);
+TEST_CASE("floor_product: products are rounded down") {
+  using Weight = Fixed<62, 60>;
+  using Sum = Fixed<62, 58>;
+  Random random(0xf1008);
   int wrong = 0;
-  for (int k = 0; k < 2000; ++k) {
-    const int length = static_cast<int>(random.below(Bits + 1));
-    std::array<T, 3> v;
-    BigInteger longest = 0;
-    for (auto& c : v) {
-      const Int128 raw = shift_left(Int128(random.edgy(62)), Bits - 62);
-      c = T::from_raw(integer_cast<Raw>(shift_right_floor(raw, Bits - length)));
-      longest = (std::max)(longest, BigInteger(abs(big_raw(c))));
-    }
-    if (longest == 0) continue;
-    const auto found = leading_bits(v);
-    const auto is_floor = [&](int up) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const BigInteger exact = big_raw(v[i]) << (std::max)(up, 0);
-        const BigInteger down = BigInteger(1) << (std::max)(-up, 0);
-        const BigInteger rest = exact - big_raw(found[i]) * down;
-        if (rest < 0 || rest >= down) return false;
-      }
-      return true;
-    };
-    // 63 bits of the longest, if it is a negative power of two one more or one less.
-    const int up = 62 - static_cast<int>(msb(longest));
-    if (!is_floor(up) && !is_floor(up - 1) && !is_floor(up + 1)) ++wrong;
-    BigInteger longest_found = 0;
-    for (const auto& c : found)
-      longest_found = (std::max)(longest_found, BigInteger(abs(big_raw(c))));
-    if (longest_found < BigInteger(1) << 61) ++wrong;
+  for (int k = 0; k < 20'000; ++k) {
+    const auto a = Weight::from_raw(random.edgy(62));
+    const auto b = Fixed<31, 30>::from_raw(static_cast<std::int32_t>(random.wide(30)));
+    wrong += floor_product<Sum>(a, b) == floor_to<Sum>(a * b) ? 0 : 1;
+    const auto c = Fixed<46, 44>::from_raw(random.edgy(46));
+    const auto d = Fixed<15, 14>::from_raw(static_cast<std::int16_t>(random.wide(14)));
+    wrong += floor_product<Sum>(c, d) == floor_to<Sum>(c * d) ? 0 : 1;
   }
-  CAPTURE(seed);
+  INFO(random);
   CHECK(wrong == 0);
 }
 
-TEST_CASE("leading_bits: components are rounded down on one grid") {
-  check_leading_bits<62>(0x1ead1);
-  check_leading_bits<90>(0x1ead2);
+TEST_CASE("in_units: the numbers are multiples of one power of two, and the unit is below 1") {
+  using T = Fixed<62, 28>;
+  using Unit = Fixed<30, 0>;
+  Random random(0x141);
+  int wrong = 0, sure = 0;
+  constexpr int count = 20'000;
+  for (int k = 0; k < count; ++k) {
+    const auto unit = Unit::from_raw(static_cast<std::int32_t>(random.edgy(30)));
+    const std::int64_t limit = std::int64_t{unit.raw()} << 30;
+    const auto number = [&] {
+      return T::from_raw(random.one_in(8) ? limit - 2 + random.wide(2) : random.edgy(60));
+    };
+    const auto x = number(), y = number();
+    const auto found = in_units(x, y, unit);
+    const bool fits = unit.raw() > 0 && std::abs(x.raw()) <= limit && std::abs(y.raw()) <= limit;
+    if (found.is_sure != fits) ++wrong;
+    if (!found.is_sure) continue;
+    ++sure;
+    const auto &right = found.value[0], &up = found.value[1], &one = found.value[2];
+    if (one.raw() < std::int64_t{1} << 59 || one.raw() >= std::int64_t{1} << 60) ++wrong;
+    const auto is_same = [&](const auto& number_found, const T& x_given) {
+      return big_raw(number_found) * unit.raw() * (1 << 28) == big_raw(x_given) * big_raw(one);
+    };
+    if (!is_same(right, x) || !is_same(up, y)) ++wrong;
+  }
+  INFO(random);
+  CHECK(wrong == 0);
+  CHECK(sure > count / 10);
 }
 
 template <class Component>
@@ -66,12 +70,12 @@ void check_units(std::uint64_t seed) {
       const auto limit = std::int64_t{1} << 60;
       v[i] = Fixed<62, 58>::from_raw(i == 0 ? random.between(limit / 2, limit)
                                             : random.between(-limit, limit));
-      // In eighths of a step: from -7 to 15.
-      const auto away = static_cast<std::int64_t>(random.below(23)) - 7;
+      // In eighths of a step: from -15 to 15.
+      const auto away = static_cast<std::int64_t>(random.below(31)) - 15;
       exact[i] = Long::assume_raw(
-          integer_cast<typename Long::raw_type>(shift_left(Int128(v[i].raw()), 3) + Int128(away)));
+          integer_cast<typename Long::raw_type>(Int128(-away) - shift_left(Int128(v[i].raw()), 3)));
     }
-    const auto found = decide_unit<Component>(v);
+    const auto found = decide_opposite<Component>(v);
     if (!found.is_sure) {
       ++unsure;
       continue;
@@ -83,29 +87,29 @@ void check_units(std::uint64_t seed) {
   }
   CAPTURE(seed);
   CHECK(wrong == 0);
-  if (Component::frac == 30) {  // three components, 2^-13 each
-    CHECK(unsure > 4);
-    CHECK(unsure < 60);
+  if (Component::frac == 30) {  // three components, 2^-12 each
+    CHECK(unsure > 15);
+    CHECK(unsure < 90);
   } else {
     CHECK(unsure == 0);
   }
 }
 
-TEST_CASE("decide_unit: where it is sure, it is right for every vector within its steps") {
+TEST_CASE("decide_opposite: where it is sure, it is right for every vector within its steps") {
   check_units<Fixed<31, 30>>(0xa1301);
   check_units<Fixed<15, 14>>(0xa1302);
 }
 
-TEST_CASE("decide_unit: it is unsure about short vectors") {
+TEST_CASE("decide_opposite: it is unsure about short vectors") {
   using T = Fixed<62, 58>;
   using Component = Fixed<31, 30>;
   const auto is_sure = [](std::int64_t x, std::int64_t y, std::int64_t z) {
-    return decide_unit<Component>(std::array{T::from_raw(x), T::from_raw(y), T::from_raw(z)})
+    return decide_opposite<Component>(std::array{T::from_raw(x), T::from_raw(y), T::from_raw(z)})
         .is_sure;
   };
   CHECK_FALSE(is_sure(0, 0, 0));
   CHECK_FALSE(is_sure(1, 0, 0));
-  CHECK_FALSE(is_sure(std::int64_t{1} << 56, 0, 0));
+  CHECK_FALSE(is_sure(std::int64_t{1} << 55, 0, 0));
   CHECK(is_sure(std::int64_t{1} << 58, 0, 0));
 }
 

@@ -2,6 +2,7 @@
 #include "detent/query/closest_points/plane.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "detent/math/direction.hpp"
 #include "support/catch.hpp"
@@ -75,7 +76,7 @@ void compare_planes(std::uint64_t seed) {
           per_a * static_cast<double>(a.offset) + per_b * static_cast<double>(b.offset);
       bool is_near = j < 20;
       for (int k = 0; k < N; ++k) {
-        is_near |= std::abs(steps[k] - std::floor(steps[k]) - 0.5) * 65536 < 1;
+        is_near |= std::abs(steps[k] - std::floor(steps[k]) - 0.5) * 16384 < 1;
       }
       if (!is_near) continue;
       const auto found = detail::decide_point_of_planes(a, b);
@@ -86,6 +87,60 @@ void compare_planes(std::uint64_t seed) {
   }
   CHECK(wrong == 0);
   CHECK(sure.percent() >= 30);
+}
+
+/// 1 / a modulo m, or 0 if there is none.
+std::int64_t inverse_modulo(std::int64_t a, std::int64_t m) {
+  std::int64_t r = m, next = (a % m + m) % m, x = 0, next_x = 1;
+  while (next != 0) {
+    const std::int64_t quotient = r / next;
+    r = std::exchange(next, r - quotient * next);
+    x = std::exchange(next_x, x - quotient * next_x);
+  }
+  return r == 1 ? (x % m + m) % m : 0;
+}
+
+/// The same for a vertical line in 2D: y = (b.offset 2^30 - n.x a.offset) / n.y in raw numbers, where
+/// the remainder is a few steps from half of n.y.
+void compare_near_ties(std::uint64_t seed) {
+  using S = q16_16;
+  Random random(seed);
+  INFO(random);
+  int wrong = 0, unsure = 0, all = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const auto raw = [&](int bits) {
+      return S::from_raw(static_cast<S::raw_type>(random.wide(bits)));
+    };
+    const auto n = normalize(Vec<S, 2>{raw(20), raw(20)});
+    if (!n || (*n)[1].raw() < 1 << 23) continue;
+    const std::int64_t x = (*n)[0].raw(), y = (*n)[1].raw();
+    const std::int64_t inverse = inverse_modulo(x, y);
+    const auto offset = raw(24);
+    // In steps of n.y: the error is at most 64 of 2^-22.
+    const std::int64_t away = random.wide(3) * ((y >> 22) + 1);
+    const std::int64_t rest =
+        (std::int64_t{offset.raw()} * (std::int64_t{1} << 30) - y / 2 - away) % y;
+    const auto at =
+        integer_cast<std::int64_t>(Int128((rest + y) % y) * Int128(inverse) % Int128(y));
+    const Plane<S, 2> a{Direction<S, 2>::along(0), S::from_raw(static_cast<S::raw_type>(at))};
+    const Plane<S, 2> b{*n, offset};
+    if (inverse == 0) continue;
+    ++all;
+    const auto found = detail::decide_point_of_planes(a, b);
+    if (!found.is_sure) {
+      ++unsure;
+    } else {
+      wrong += found.value == detail::exact_closest_points_of_planes(a, b).first ? 0 : 1;
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(all > 1'000);
+  CHECK(unsure > all / 2);
+}
+
+TEST_CASE("closest_points, plane: the filter leaves points of lines near ties to the exact one",
+          "[closest_points]") {
+  compare_near_ties(0x91c2);
 }
 
 TEST_CASE("closest_points, plane: the filter rounds the point of two planes like the exact point",

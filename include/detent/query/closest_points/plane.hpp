@@ -15,6 +15,13 @@
 #include "detent/query/kernel/rounded_point.hpp"
 #include "detent/query/kernel/support.hpp"
 
+// If g++ inlined the exact answer, it would save registers for it before every filtered one.
+#if defined(__GNUC__)
+#define DETENT_OUTLINE __attribute__((noinline))
+#else
+#define DETENT_OUTLINE
+#endif
+
 namespace detent::detail {
 
 /// A point where a plane cuts a body that it meets: the first corner in the plane, or else a point
@@ -127,22 +134,26 @@ template <Scalar S, int N>
   using Unit = Fixed<63, 62>;
   const auto decide = [](bool is_sure, const auto& at, const auto& error) {
     constexpr int bits = S::bits - 1 + decltype(at(0))::frac - S::frac;
-    const auto point = make_vec<N>([&](int i) {
+    Decided<Vec<S, N>> point{{}, is_sure};
+    if (!is_sure) [[unlikely]]
+      return point;
+    for (int i = 0; i < N; ++i) {
       const auto x = at(i);
       const auto nearest = decide_nearest<S>(Approximate{x, error});
-      is_sure &= nearest.is_sure & fits<bits>(x);  // no branch per coordinate
-      return nearest.value;
-    });
-    return Decided<Vec<S, N>>{point, is_sure};
+      point.value[i] = nearest.value;
+      point.is_sure = nearest.is_sure && fits<bits>(x);
+      if (!point.is_sure) [[unlikely]]
+        return point;
+    }
+    return point;
   };
   if constexpr (N == 2) {
     const auto area = narrow<62>(cross(m, n));
-    const auto signed_as_area = [&](const auto& x) { return with_sign(x, area < 0); };
-    const SharedQuotient over_area(signed_as_area(area));
-    const Vec over{signed_as_area(narrow_difference<63>(a.offset * n.y, b.offset * m.y)),
-                   signed_as_area(narrow_difference<63>(b.offset * m.x, a.offset * n.x))};
+    const QuickQuotient over_area(area);
+    const Vec over{narrow_difference<63>(a.offset * n.y, b.offset * m.y),
+                   narrow_difference<63>(b.offset * m.x, a.offset * n.x)};
     return decide(
-        over_area.is_sure, [&](int i) { return over_area(over[i]); }, Steps<16>());
+        over_area.is_sure, [&](int i) { return over_area(over[i]); }, Steps<64>());
   } else {
     const auto unit = [](const auto& x) {
       return Unit::assume_raw(shift_left(narrow<61>(x).raw(), 2));
@@ -176,8 +187,8 @@ template <Scalar S, int N>
 /// line's direction u = m x n, the line's point closest to the origin is
 /// (a.offset n x u + b.offset u x m) / u^2.
 template <Scalar S, int N>
-[[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> exact_closest_points_of_planes(
-    const Plane<S, N>& a, const Plane<S, N>& b) noexcept {
+[[nodiscard]] DETENT_OUTLINE constexpr std::pair<Vec<S, N>, Vec<S, N>>
+exact_closest_points_of_planes(const Plane<S, N>& a, const Plane<S, N>& b) noexcept {
   const auto& m = a.normal.vec();
   const auto& n = b.normal.vec();
   if (are_parallel(m, n)) {
@@ -204,9 +215,14 @@ template <Scalar S, int N>
     const Plane<S, N>& a, const Plane<S, N>& b) noexcept {
   if constexpr (is_fixed<S> && filter_pays<S>) {
     const auto point = decide_point_of_planes(a, b);
-    if (point.is_sure) return {point.value, point.value};
+    if (!point.is_sure) [[unlikely]]
+      return exact_closest_points_of_planes(a, b);
+    return {point.value, point.value};
+  } else {
+    return exact_closest_points_of_planes(a, b);
   }
-  return exact_closest_points_of_planes(a, b);
 }
 
 }  // namespace detent::detail
+
+#undef DETENT_OUTLINE
