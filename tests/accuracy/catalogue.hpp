@@ -25,6 +25,7 @@ void add_box_casts(std::vector<Query>& queries);
 void add_hull_casts(std::vector<Query>& queries);
 void add_cameras(std::vector<Query>& queries);
 void add_impacts(std::vector<Query>& queries);
+void add_movers(std::vector<Query>& queries);
 
 // The same in 2D.
 void add_planar_raycasts(std::vector<Query>& queries);

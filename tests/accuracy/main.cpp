@@ -68,6 +68,7 @@ class Output {
 
 bool is_exact(const Report& report) {
   for (const auto& result : report.results) {
+    if (result.query->kind == "mover") continue;  // the roundings of its moves add up
     for (const auto& cell : result.cells) {
       if (cell.inputs == Inputs::own && cell.scalar[0] == 'q' && cell.wrong + cell.off > 0) {
         return false;
@@ -77,7 +78,8 @@ bool is_exact(const Report& report) {
   return true;
 }
 
-/// Prints the summary. Returns whether every fixed-point result was the exact one, rounded once.
+/// Prints the summary. Returns whether every fixed-point result but those of characters was the exact
+/// one, rounded once.
 bool measure(const Options& options) {
   Output csv(options.csv), svg(options.svg);
   std::vector<const Query*> chosen;
@@ -88,7 +90,7 @@ bool measure(const Options& options) {
     throw InputError(
         "--only: no query begins with \"" + options.only +
         "\"; try raycast/, overlaps/, intersects/, distance/, closest_points/, contact/, "
-        "cast/, pick_ray/, project/ or time_of_impact/");
+        "cast/, pick_ray/, project/, time_of_impact/ or mover/");
   }
   Report report{{}, options.count, options.seed};
   {

@@ -98,7 +98,7 @@ std::string float_table(const Report& report) {
   for (const bool is_planar : {false, true}) {
     for (const std::string_view kind :
          {"raycast", "overlaps", "intersects", "distance", "contact", "closest_points", "cast",
-          "pick_ray", "project", "time_of_impact"}) {
+          "pick_ray", "project", "time_of_impact", "mover"}) {
       std::vector<std::string> cells{std::string(kind) + (is_planar ? " in 2D" : " in 3D")};
       bool has_any = false;
       for (const Ladder ladder : ladders) {

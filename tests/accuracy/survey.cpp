@@ -29,6 +29,7 @@ const std::vector<Query>& queries() {
     add_hull_casts(list);
     add_cameras(list);
     add_impacts(list);
+    add_movers(list);
     add_planar_raycasts(list);
     add_planar_round_overlaps(list);
     add_planar_flat_overlaps(list);
