@@ -49,7 +49,8 @@ extern "C" bool ask(const Body& a, const Motion3& by_a, const Body& b, const Mot
   if (answer) found = *answer;
   return answer.has_value();
 }
-#elif PROGRAM == mesh_sphere_program || PROGRAM == mesh_capsule_program || PROGRAM == mesh_obb_program
+#elif PROGRAM == mesh_sphere_program || PROGRAM == mesh_capsule_program || \
+    PROGRAM == mesh_obb_program
 #if PROGRAM == mesh_sphere_program
 using Body = Sphere<SCALAR, 3>;
 #elif PROGRAM == mesh_capsule_program
@@ -64,15 +65,14 @@ extern "C" std::size_t ask(const Mesh<SCALAR>& mesh, const Body& body,
 #else
 using Level = BoundedScene<Bounded<16, 1>, SCALAR, 3, Aabb, Sphere>;
 #if PROGRAM == scene_cast_program
-extern "C" bool ask(const Level& level, const Cast<Sphere<SCALAR, 3>>& ball,
-                    SCALAR& distance) {
+extern "C" bool ask(const Level& level, const Cast<Sphere<SCALAR, 3>>& ball, SCALAR& distance) {
   const auto answer = level.nearest(ball);
   if (answer) distance = answer->distance;
   return answer.has_value();
 }
 #else
-extern "C" void ask(const Level& level, Mover<SCALAR, 3, Capsule>& player,
-                    const Vec<SCALAR, 3>& by, MoveResult<SCALAR, 3>& result) {
+extern "C" void ask(const Level& level, Mover<SCALAR, 3, Capsule>& player, const Vec<SCALAR, 3>& by,
+                    MoveResult<SCALAR, 3>& result) {
   result = player.move(level, by);
 }
 #endif

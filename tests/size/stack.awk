@@ -2,7 +2,8 @@
 #
 # usage: awk -f stack.awk GRAPH.ci... - <DISASSEMBLY
 # Prints the maximum stack in bytes that `ask` needs: the deepest path of the compiler's call graphs
-# (-fcallgraph-info=su), and into runtime functions as far as their disassembly shows it.
+# (-fcallgraph-info=su), and into runtime functions as far as their disassembly shows it. Prints "-"
+# if `ask` reaches a call through a pointer, whose depth is not known.
 
 function call(from, to) { if (from != to) callees[from] = callees[from] " " to }
 
@@ -13,6 +14,7 @@ function defined(f,   other) {
 }
 
 function depth(f,   n, i, list, d, deepest) {
+  if (f == "__indirect_call") is_unknown = 1
   f = defined(f)
   if (f in known) return known[f]
   if (f in busy) { print "stack: recursion in " f > "/dev/stderr"; failed = 1; return 0 }
@@ -51,4 +53,4 @@ function depth(f,   n, i, list, d, deepest) {
   }
 }
 
-END { most = depth("ask"); if (failed) exit 1; print most }
+END { most = depth("ask"); if (failed) exit 1; print is_unknown ? "-" : most }
