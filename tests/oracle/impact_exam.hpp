@@ -92,6 +92,15 @@ struct Tally {
   test::HitRate hits;
   long cases = 0, steps = 0, unfinished = 0;
   int most = 0;
+
+  template <class Found>
+  void count(const Found& found) {
+    hits.count(found.impact.has_value());
+    ++cases;
+    steps += found.steps;
+    most = std::max(most, found.steps);
+    if (found.impact && !found.impact->is_hit) ++unfinished;
+  }
 };
 
 template <class A, class B, Scalar S, int N>
@@ -104,11 +113,7 @@ void examine(Bodies<S, N>& bodies, Tally& tally, long count) {
     const S target = S::from_raw(bodies.random.one_in(4) ? 0 : 8);
     const auto found = detent::detail::search_impact(a, sweep_a, b, sweep_b, target);
     const auto fault = fault_of(found.impact, moving(a, sweep_a), moving(b, sweep_b), target, 12);
-    tally.hits.count(found.impact.has_value());
-    ++tally.cases;
-    tally.steps += found.steps;
-    tally.most = std::max(tally.most, found.steps);
-    if (found.impact && !found.impact->is_hit) ++tally.unfinished;
+    tally.count(found);
     if (!fault) continue;
     INFO(bodies.random << ", case " << i << " of kinds " << typeid(A).name() << " and "
                        << typeid(B).name());

@@ -153,6 +153,16 @@ struct WorldGroup : InDimensions<2, 3> {
     result.again = run(ticks / 4);
     return result;
   }
+
+  /// The history of a world in the first row, its snapshots in the second.
+  template <int Row, Scalar S, int N, std::size_t Count, class World, class Restore>
+  [[nodiscard]] static constexpr auto answer_row(World& world, const Restore& restore) noexcept {
+    if constexpr (Row == 0) {
+      return play<S, N, Count>(world);
+    } else {
+      return replay<8192>(world, restore);
+    }
+  }
 };
 
 /// A floor and walls, and balls, capsules and boxes that fall between them.
@@ -277,6 +287,26 @@ constexpr void append(D& digest, const Case& c) noexcept {
 /// Draws rows of joined boxes.
 struct JointGroup : WorldGroup {
  protected:
+  /// The world of a case.
+  template <class World>
+  struct Joined {
+    World world;
+
+    template <HasJoints Case>
+    explicit constexpr Joined(const Case& c) noexcept : world(c.settings) {
+      for (const auto& body : c.bodies) add_plain(world, body);
+      c.for_each_joint([&](const auto& joint) { world.add(joint); });
+    }
+  };
+
+  template <int Row, class Living, template <Scalar, int> class Case, Scalar S, int N>
+  [[nodiscard]] static constexpr auto answer_joined(const Case<S, N>& c) noexcept {
+    Living living(c);
+    return answer_row<Row, S, N, Case<S, N>::size>(
+        living.world,
+        [](auto& world, std::span<const std::byte> bytes) { return restore(world, bytes); });
+  }
+
   template <Scalar S, int N, std::size_t Count>
   static constexpr void draw_boxes(BodyStage<S, N>& stage,
                                    std::array<DrawnBody<S, N>, Count>& bodies) noexcept {
@@ -343,27 +373,12 @@ struct Linkages : JointGroup {
   }
 
   template <Scalar S, int N>
-  struct Living {
-    BoundedWorld<Bounded<7>, S, N, Obb, DistanceJoint, BallJoint, HingeJoint, WeldJoint,
-                 SliderJoint, WheelJoint>
-        world;
-
-    explicit constexpr Living(const JointsCase<S, N>& c) noexcept : world(c.settings) {
-      for (const auto& body : c.bodies) add_plain(world, body);
-      c.for_each_joint([&](const auto& joint) { world.add(joint); });
-    }
-  };
+  using Living = Joined<BoundedWorld<Bounded<7>, S, N, Obb, DistanceJoint, BallJoint, HingeJoint,
+                                     WeldJoint, SliderJoint, WheelJoint>>;
 
   template <int Row, Scalar S, int N>
   [[nodiscard]] static constexpr auto answer(const JointsCase<S, N>& c) noexcept {
-    Living<S, N> living(c);
-    if constexpr (Row == 0) {
-      return play<S, N, 7>(living.world);
-    } else {
-      return replay<8192>(living.world, [](auto& world, std::span<const std::byte> bytes) {
-        return restore(world, bytes);
-      });
-    }
+    return answer_joined<Row, Living<S, N>>(c);
   }
 };
 
@@ -387,25 +402,11 @@ struct Cones : JointGroup {
   }
 
   template <Scalar S, int N>
-  struct Living {
-    BoundedWorld<Bounded<5>, S, N, Obb, ConeJoint> world;
-
-    explicit constexpr Living(const ConesCase<S, N>& c) noexcept : world(c.settings) {
-      for (const auto& body : c.bodies) add_plain(world, body);
-      for (const auto& cone : c.cones) world.add(cone);
-    }
-  };
+  using Living = Joined<BoundedWorld<Bounded<5>, S, N, Obb, ConeJoint>>;
 
   template <int Row, Scalar S, int N>
   [[nodiscard]] static constexpr auto answer(const ConesCase<S, N>& c) noexcept {
-    Living<S, N> living(c);
-    if constexpr (Row == 0) {
-      return play<S, N, 5>(living.world);
-    } else {
-      return replay<8192>(living.world, [](auto& world, std::span<const std::byte> bytes) {
-        return restore(world, bytes);
-      });
-    }
+    return answer_joined<Row, Living<S, N>>(c);
   }
 };
 
@@ -519,14 +520,11 @@ struct Solids : WorldGroup {
   template <int Row, Scalar S, int N>
   [[nodiscard]] static constexpr auto answer(const SolidsCase<S, N>& c) noexcept {
     Living<S, N> living(c);
-    if constexpr (Row == 0) {
-      return play<S, N, 6>(living.world);
-    } else {
-      return replay<8192>(living.world, [&](auto& world, std::span<const std::byte> bytes) {
-        return restore(world, bytes, std::span<const SolidHull<S, N>>(living.hulls),
-                       std::span<const SolidCompound<S, N>>(&living.hammer, 1));
-      });
-    }
+    return answer_row<Row, S, N, 6>(
+        living.world, [&](auto& world, std::span<const std::byte> bytes) {
+          return restore(world, bytes, std::span<const SolidHull<S, N>>(living.hulls),
+                         std::span<const SolidCompound<S, N>>(&living.hammer, 1));
+        });
   }
 
  private:

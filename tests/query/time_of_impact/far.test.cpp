@@ -179,10 +179,8 @@ class FarBodies {
   std::size_t next_hull_ = 0;
 };
 
-struct Counts {
-  HitRate hits;
-  long cases = 0, unproved = 0, unfinished = 0, steps = 0;
-  int most = 0;
+struct Counts : oracle::Tally {
+  long unproved = 0;
 };
 
 template <class A, class B, Scalar S, int N>
@@ -206,11 +204,7 @@ void examine(FarBodies<S, N>& bodies, Counts& counts, int count) {
       if (proof.touch >= 0) FAIL("they touch at " << proof.touch << ", before " << end);
       counts.unproved += proof.is_complete ? 0 : 1;
     }
-    counts.hits.count(found.impact.has_value());
-    ++counts.cases;
-    counts.steps += found.steps;
-    counts.most = std::max(counts.most, found.steps);
-    if (found.impact && !found.impact->is_hit) ++counts.unfinished;
+    counts.count(found);
   }
 }
 

@@ -18,15 +18,6 @@
 
 namespace detent {
 
-namespace detail {
-
-/// floor(a b / 2^64).
-[[nodiscard]] constexpr std::int64_t high_word(std::int64_t a, std::int64_t b) noexcept {
-  return integer_cast<std::int64_t>(shift_right_floor(wrapping_multiply<Int128>(a, b), 64));
-}
-
-}  // namespace detail
-
 /// a b rounded down to the grid of T, which must hold it, from one product of words.
 template <class T, int BA, int FA, int BB, int FB>
 [[nodiscard]] constexpr T floor_product(const Fixed<BA, FA>& a, const Fixed<BB, FB>& b) noexcept {
@@ -74,7 +65,7 @@ template <class Component, int F, std::size_t N>
   result.is_sure = squared >= std::int64_t{1} << 51;
   if (!result.is_sure) [[unlikely]]
     return result;
-  const auto positive = static_cast<std::uint64_t>(squared | 1);
+  const auto positive = static_cast<std::uint64_t>(squared);
   const int half = std::countl_zero(positive) >> 1;
   using Value = Fixed<62, 55>;
   // If GCC knew that a factor is positive, it would compute three products.

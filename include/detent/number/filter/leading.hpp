@@ -13,6 +13,11 @@ namespace detent {
 
 namespace detail {
 
+/// floor(a b / 2^64).
+[[nodiscard]] constexpr std::int64_t high_word(std::int64_t a, std::int64_t b) noexcept {
+  return integer_cast<std::int64_t>(shift_right_floor(wrapping_multiply<Int128>(a, b), 64));
+}
+
 /// For x >= 0: word * 2^exponent <= x < (word + 1) * 2^exponent. The top bit of the word is set
 /// unless x is 0.
 struct LeadingWord {

@@ -57,7 +57,7 @@ class ProductQuotient {
   [[nodiscard]] static constexpr std::int64_t high_of_twice(std::int64_t a,
                                                             std::int64_t b) noexcept {
     const auto twice = static_cast<std::int64_t>(static_cast<std::uint64_t>(a) << 1);
-    return integer_cast<std::int64_t>(shift_right_floor(wrapping_multiply<Int128>(twice, b), 64));
+    return detail::high_word(twice, b);
   }
 
   bool is_sure_;

@@ -37,9 +37,7 @@ class SharedQuotient {
   /// over / under, with 8 bits less after the point.
   template <int F>
   [[nodiscard]] constexpr Fixed<63, F - 8> operator()(const Fixed<63, F>& over) const noexcept {
-    const auto product = wrapping_multiply<Int128>(over.raw(), inverse_);
-    const auto high = integer_cast<std::int64_t>(shift_right_floor(product, 64));
-    return Fixed<63, F - 8>::assume_raw(high >> down_);
+    return Fixed<63, F - 8>::assume_raw(detail::high_word(over.raw(), inverse_) >> down_);
   }
 
   bool is_sure;
@@ -71,9 +69,8 @@ class QuickQuotient {
   /// over / under, with 8 bits less after the point.
   template <int F>
   [[nodiscard]] constexpr Fixed<63, F - 8> operator()(const Fixed<63, F>& over) const noexcept {
-    const auto product = wrapping_multiply<Int128>(over.raw(), inverse_);
-    const auto high = integer_cast<std::int64_t>(shift_right_floor(product, 64));
-    return Fixed<63, F - 8>::assume_raw(detail::in_register(high));
+    return Fixed<63, F - 8>::assume_raw(
+        detail::in_register(detail::high_word(over.raw(), inverse_)));
   }
 
   bool is_sure;
