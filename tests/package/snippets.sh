@@ -5,6 +5,7 @@
 # `main` is a fragment: its #include lines go to the top of a program that includes all of detent,
 # and the rest becomes the body of a function there. A comment on the line before a program gives
 # further compiler arguments, such as another source file: <!-- compile with: ARGUMENT... -->.
+# DETENT_FRAGMENT_COMPILER names another compiler for that program, which is the largest.
 # tests/c/ covers blocks in other languages.
 set -euo pipefail
 
@@ -62,15 +63,15 @@ fragments_program() { # FILE...
 }
 function_of() { basename "$1" .cpp | tr -c '[:alnum:]\n' _ | sed 's/^/block_/'; }
 
-# Precompile the umbrella where the compiler looks first: most blocks begin with it.
-compile=("$compiler" -std=c++20 -Wall -Wextra -Wno-unused)
+# Precompile the umbrella where g++ looks first: most blocks begin with it.
+flags=(-std=c++20 -Wall -Wextra -Wno-unused)
 mkdir -p "$work/precompiled/detent"
 umbrella=$work/precompiled/detent/detent.hpp
 echo "#include \"$PWD/include/detent/detent.hpp\"" >"$umbrella"
-"${compile[@]}" -Iinclude -x c++-header "$umbrella" -o "$umbrella.gch"
+"$compiler" "${flags[@]}" -Iinclude -x c++-header "$umbrella" -o "$umbrella.gch"
 
 run_program() { # NAME SOURCE [COMPILER ARGUMENT...]
-  "${compile[@]}" -I"$work/precompiled" -Iinclude "${@:2}" -o "$work/$1"
+  "$compiler" "${flags[@]}" -I"$work/precompiled" -Iinclude "${@:2}" -o "$work/$1"
   (cd "$work" && "./$1" >"$1.out") || { echo "$1: exit status $?"; exit 1; }
   echo "$1: compiles and runs"
 }
@@ -93,5 +94,6 @@ done
 if [[ ${#fragments[@]} -gt 0 ]]; then
   mkdir "$work/fragments"
   fragments_program "${fragments[@]}" >"$work/fragments/all.cpp"
+  compiler=${DETENT_FRAGMENT_COMPILER:-$compiler}
   run_program "${#fragments[@]}-fragments" "$work/fragments/all.cpp"
 fi
