@@ -46,6 +46,7 @@ auto& number(Integer& x) {
 
 LongInteger::LongInteger(Signed value) noexcept { LongIntegerNumber::make(*this, value.value); }
 LongInteger::LongInteger(Unsigned value) noexcept { LongIntegerNumber::make(*this, value.value); }
+LongInteger::LongInteger(const char* digits) { LongIntegerNumber::make(*this, digits); }
 LongInteger::LongInteger(const LongInteger& other) {
   LongIntegerNumber::make(*this, number(other));
 }

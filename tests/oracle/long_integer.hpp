@@ -24,6 +24,7 @@ class LongInteger {
       : LongInteger(Unsigned{static_cast<std::uint64_t>(value)}) {
     static_assert(sizeof(value) <= sizeof(std::uint64_t));
   }
+  explicit LongInteger(const char* digits);
   LongInteger(const LongInteger& other);
   LongInteger(LongInteger&& other) noexcept;
   ~LongInteger();

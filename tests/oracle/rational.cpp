@@ -55,6 +55,7 @@ Rational& Rational::operator=(Rational&& other) noexcept {
 }
 
 int Rational::sign() const { return number(*this).sign(); }
+std::string Rational::str() const { return number(*this).str(); }
 
 Rational& Rational::operator+=(const Rational& b) {
   number(*this) += number(b);

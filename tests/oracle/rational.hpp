@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "oracle/long_integer.hpp"
 
@@ -26,6 +27,7 @@ class Rational {
 
   [[nodiscard]] bool is_zero() const { return sign() == 0; }
   [[nodiscard]] int sign() const;
+  [[nodiscard]] std::string str() const;
 
   Rational& operator+=(const Rational& b);
   Rational& operator-=(const Rational& b);
