@@ -75,7 +75,7 @@ Exact Exact::of(double value) {
   return {Integer(mantissa / (std::int64_t{1} << zeros)), exponent - 53 + zeros};
 }
 
-double Exact::approximate() const { return std::ldexp(mantissa.convert_to<double>(), exponent); }
+double Exact::approximate() const { return std::ldexp(static_cast<double>(mantissa), exponent); }
 
 Integer Exact::steps(int frac) const {
   const int shift = exponent + frac;

@@ -157,7 +157,7 @@ void ExactGroup::search(std::size_t node, const ExactShape& ray, Probe& probe) c
     const auto hit = cli::first_hit(ray, shapes_[shape]);
     if (!hit || (probe.best && *probe.best <= *hit)) return;
     probe.best = *hit;
-    probe.limit = std::ldexp(hit->convert_to<double>(), -distance_frac);
+    probe.limit = std::ldexp(static_cast<double>(*hit), -distance_frac);
     return;
   }
   const auto distance = [&](std::size_t child) {

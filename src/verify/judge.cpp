@@ -19,13 +19,14 @@ Integer nearest_quotient(const Integer& over, const Integer& under) {
   return oracle::nearest_quotient(t.over, t.under);
 }
 Integer nearest(const Real& x) {
-  return static_cast<Integer>(floor(x + Real(0.5)).convert_to<boost::multiprecision::cpp_int>());
+  return oracle::long_integer(floor(x + Real(0.5)).convert_to<boost::multiprecision::cpp_int>());
 }
+Real real(const Integer& x) { return Real(oracle::boost_integer(x)); }
 Real steps(int frac) { return ldexp(Real(1), frac); }
 std::uint32_t wrapped(const Integer& units) {
   const Integer turn = Integer(1) << 32;
   const Integer whole = oracle::floor_quotient(units, turn);
-  return static_cast<std::uint32_t>(Integer(units - whole * turn));
+  return static_cast<std::uint32_t>(static_cast<std::int64_t>(units - whole * turn));
 }
 
 std::optional<Integer> meaning(const std::string& text, int frac) {
@@ -41,7 +42,7 @@ std::optional<Integer> meaning(const std::string& text, int frac) {
       (parts[4].length() > 0 ? std::stoi(parts[4]) : 0) - static_cast<int>(fraction.size());
   for (int i = 0; i < exponent; ++i) over *= 10;
   for (int i = 0; i > exponent; --i) under *= 10;
-  const Integer rounded = nearest_quotient(scaled(over, frac), under);
+  const Integer rounded = judge::nearest_quotient(scaled(over, frac), under);
   return parts[1] == "-" ? Integer(-rounded) : rounded;
 }
 

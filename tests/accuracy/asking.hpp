@@ -135,7 +135,7 @@ class Tally {
     const auto given = static_cast<double>(answer);
     constexpr int finer = 80;  // in steps of 2^-80, below the error of a double
     const Steps error = Exact::of(given).steps(finer) - (right << (finer - distance_frac));
-    return std::ldexp(std::abs(error.convert_to<double>()), 16 - finer);
+    return std::ldexp(std::abs(static_cast<double>(error)), 16 - finer);
   }
   void measure(const Steps& right, const S& answer) {
     errors_.push_back(error_of(right, answer));

@@ -37,7 +37,7 @@ Vector exact_of(const Vec<Carrier, 3>& v) { return {v.x.raw(), v.y.raw(), v.z.ra
 Vector exact_of(const CarriedDirection& d) { return {d[0].raw(), d[1].raw(), d[2].raw()}; }
 /// x * 2^bits.
 Steps finer(const Steps& x, int bits) { return x * (Steps(1) << static_cast<unsigned>(bits)); }
-double real(const Steps& x) { return x.convert_to<double>(); }
+double real(const Steps& x) { return static_cast<double>(x); }
 
 /// The screen coordinates and the depth of a point: right / depth, up / depth, and
 /// 2^direction_frac depth / whole, in steps of 2^-frac.

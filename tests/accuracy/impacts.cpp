@@ -44,7 +44,7 @@ struct ImpactTruth {
     if constexpr (is_fixed<S>) {
       const bool is_early = time > 0 && gap < 0;
       result.is_off =
-          inputs == Inputs::own && (is_early || gap > allowed<S>().template convert_to<double>());
+          inputs == Inputs::own && (is_early || gap > static_cast<double>(allowed<S>()));
     }
     if (time == 0 && gap <= 0) result.error = 0;
     return result;
@@ -56,7 +56,7 @@ struct ImpactTruth {
   template <Scalar S>
   [[nodiscard]] Steps allowed() const {
     const int unit = frac - fraction_bits<S>();
-    const double travel = std::sqrt(oracle::dot(velocity, velocity).convert_to<double>());
+    const double travel = std::sqrt(static_cast<double>(oracle::dot(velocity, velocity)));
     const int time_bits = is_fixed<S> ? numbers<S>.direction_bits : direction_frac;
     return Steps(static_cast<std::int64_t>(
         std::ceil(std::ldexp(10, unit) + std::ldexp(travel, -time_bits))));
@@ -89,7 +89,7 @@ struct ImpactTruth {
     Vector at = offset;
     for (std::size_t i = 0; i < 3; ++i) at[i] = offset[i] * one + velocity[i] * t;
     const Steps distance = sqrt(oracle::dot(at, at)) - reach * one;
-    return std::ldexp(distance.convert_to<double>(), -bits);
+    return std::ldexp(static_cast<double>(distance), -bits);
   }
 };
 

@@ -99,7 +99,7 @@ struct ClosestTruth {
     const Steps length = sqrt(oracle::dot(between, between));
     const Steps most =
         std::max({Steps(abs(Steps(length - distance))), from(p, question.a), from(q, question.b)});
-    return std::ldexp(most.template convert_to<double>(), 16 - distance_frac);
+    return std::ldexp(static_cast<double>(most), 16 - distance_frac);
   }
 };
 

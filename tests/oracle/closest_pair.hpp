@@ -116,7 +116,7 @@ int sign_of_difference(const Exact<N>& exact, std::size_t i, const Rational& x) 
   const Rational step = exact.radius * exact.direction[i], rest = x - exact.point[i];
   if (step.sign() != rest.sign()) return step.sign() > rest.sign() ? 1 : -1;
   const Rational left = square(step), right = square(rest) * dot(exact.direction, exact.direction);
-  return step.sign() * left.compare(right);
+  return step.sign() * Rational(left - right).sign();
 }
 
 /// Whether a point has the coordinates of `exact`, rounded to nearest, ties to even, and clamped; or

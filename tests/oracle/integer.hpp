@@ -4,21 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 #ifdef DETENT_ORACLE_SHORT_INTEGERS
 #include "oracle/short_integer.hpp"
 #else
-// GCC warns that a union's other member is destroyed where an integer is made in one of two
-// branches.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#include <boost/multiprecision/cpp_int.hpp>
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
+#include "oracle/long_integer.hpp"
 #endif
 
 /// The oracle: the definitions of the shapes, evaluated in exact integers and fractions. It
@@ -29,12 +19,7 @@ namespace detent::oracle {
 #ifdef DETENT_ORACLE_SHORT_INTEGERS
 using Integer = ShortInteger;
 #else
-/// Any length; up to 512 bits without the heap.
-using Integer = boost::multiprecision::number<
-    boost::multiprecision::cpp_int_backend<512, 0, boost::multiprecision::signed_magnitude,
-                                           boost::multiprecision::checked,
-                                           std::allocator<boost::multiprecision::limb_type>>,
-    boost::multiprecision::et_off>;
+using Integer = LongInteger;
 #endif
 
 template <int N>

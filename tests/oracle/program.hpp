@@ -5,13 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "oracle/integer.hpp"
+#include "oracle/rational.hpp"
 
 namespace detent::oracle {
-
-using Rational = boost::multiprecision::number<
-    boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
-    boost::multiprecision::et_off>;
 
 inline Rational square(const Rational& x) { return x * x; }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "oracle/boost_integer.hpp"
 #include "oracle/exact.hpp"
 #include "verify/converted.hpp"
 #include "verify/describe.hpp"
@@ -72,6 +73,7 @@ Integer nearest_quotient(const Integer& over, const Integer& under);
 /// The nearest integer to a number that is not a tie.
 Integer nearest(const Real& x);
 Real steps(int frac);
+Real real(const Integer& x);
 template <int Bits, int Frac>
 Real real(const Fixed<Bits, Frac>& x) {
   return Real(static_cast<std::int64_t>(x.raw())) / steps(Frac);

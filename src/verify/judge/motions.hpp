@@ -48,7 +48,7 @@ std::optional<Wrong> judge(const MatrixCase<S, N>& c, const Answer& got) {
         auto replaced = m;
         for (std::size_t k = 0; k < N; ++k) replaced[k][i] = k == j ? 1 : 0;
         expected(static_cast<int>(i), static_cast<int>(j)) =
-            clamped<S>(nearest_quotient(scaled(expansion<N>(replaced), 2 * S::frac), whole));
+            clamped<S>(judge::nearest_quotient(scaled(expansion<N>(replaced), 2 * S::frac), whole));
       }
     }
     return compare(Answer(expected), got);
@@ -103,7 +103,7 @@ std::optional<Wrong> judge(const BlendCase<S, N>& c, const Answer& got) {
   if constexpr (Row == 0) {
     const auto exact = product(p, q);
     return judge_near<S>(
-        unit_steps<S>({Real(exact[0]), Real(exact[1]), Real(exact[2]), Real(exact[3])}), got);
+        unit_steps<S>({real(exact[0]), real(exact[1]), real(exact[2]), real(exact[3])}), got);
   } else if constexpr (Row == 1) {
     Integer inner = oracle::dot(p, q);
     if (inner < 0) {
@@ -122,12 +122,12 @@ std::optional<Wrong> judge(const BlendCase<S, N>& c, const Answer& got) {
     const Integer area = pp * qq - inner * inner;
     Real of_p = (1 - t), of_q = t;
     if (area != 0) {
-      const Real angle = atan2(sqrt(Real(area)), Real(inner));
-      of_p = sin((1 - t) * angle) / sqrt(Real(pp));
-      of_q = sin(t * angle) / sqrt(Real(qq));
+      const Real angle = atan2(sqrt(real(area)), real(inner));
+      of_p = sin((1 - t) * angle) / sqrt(real(pp));
+      of_q = sin(t * angle) / sqrt(real(qq));
     }
     std::array<Real, 4> exact;
-    for (std::size_t i = 0; i < 4; ++i) exact[i] = Real(p[i]) * of_p + Real(q[i]) * of_q;
+    for (std::size_t i = 0; i < 4; ++i) exact[i] = real(p[i]) * of_p + real(q[i]) * of_q;
     return judge_near<S>(unit_steps<S>(exact), got);
   } else {
     const std::array<Integer, 4> v{0, oracle::raw(c.vector[0]), oracle::raw(c.vector[1]),
@@ -136,7 +136,8 @@ std::optional<Wrong> judge(const BlendCase<S, N>& c, const Answer& got) {
     const Integer norm = oracle::dot(p, p);
     Answer expected;
     for (int i = 0; i < 3; ++i) {
-      expected[i] = clamped<S>(nearest_quotient(turned[static_cast<std::size_t>(i) + 1], norm));
+      expected[i] =
+          clamped<S>(judge::nearest_quotient(turned[static_cast<std::size_t>(i) + 1], norm));
     }
     return compare(expected, got);
   }
@@ -164,7 +165,7 @@ std::optional<Wrong> judge(const MotionCase<S, N>& c, const Answer& got) {
     } else if (scale == 0) {
       expected[i] = sum > 0 ? S::max() : sum < 0 ? S::lowest() : S();
     } else {
-      expected[i] = clamped<S>(nearest_quotient(scaled(sum, S::frac), scaled(scale, frac)));
+      expected[i] = clamped<S>(judge::nearest_quotient(scaled(sum, S::frac), scaled(scale, frac)));
     }
   }
   return compare(expected, got);
@@ -181,9 +182,9 @@ std::optional<Wrong> judge(const CameraCase<S, N>& c, const Answer& got) {
     using Component = direction_component<S>;
     std::array<Direction<S, 3>, 3> directions;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Real factor = steps(Component::frac) / sqrt(Real(oracle::dot(axes[k], axes[k])));
+      const Real factor = steps(Component::frac) / sqrt(real(oracle::dot(axes[k], axes[k])));
       directions[k] = Direction<S, 3>::assume_unit(make_vec<3>([&](int i) {
-        return clamped<Component>(nearest(Real(axes[k][static_cast<std::size_t>(i)]) * factor));
+        return clamped<Component>(nearest(real(axes[k][static_cast<std::size_t>(i)]) * factor));
       }));
     }
     return compare(Answer({c.eye, Rotation<S, 3>::from_axes(directions), S(1)}), got);
@@ -196,8 +197,8 @@ std::optional<Wrong> judge(const CameraCase<S, N>& c, const Answer& got) {
     }
     if (h[N] == 0) return compare(Answer(), got);
     return compare(Answer(make_vec<N>([&](int i) {
-                     return clamped<S>(
-                         nearest_quotient(scaled(h[static_cast<std::size_t>(i)], S::frac), h[N]));
+                     return clamped<S>(judge::nearest_quotient(
+                         scaled(h[static_cast<std::size_t>(i)], S::frac), h[N]));
                    })),
                    got);
   }
@@ -222,8 +223,8 @@ std::optional<Wrong> judge(const LensCase<S, N>& c, const Answer& got) {
     if (distance <= rotation_margin()) expected(i, i) = (*got)(i, i);
   }
   const Integer under = near_raw - far_raw;
-  expected(2, 2) = clamped<S>(nearest_quotient(scaled(far_raw, S::frac), under));
-  expected(2, 3) = clamped<S>(nearest_quotient(near_raw * far_raw, under));
+  expected(2, 2) = clamped<S>(judge::nearest_quotient(scaled(far_raw, S::frac), under));
+  expected(2, 3) = clamped<S>(judge::nearest_quotient(near_raw * far_raw, under));
   expected(3, 2) = clamped<S>(scaled(-1, S::frac));
   return compare(Answer(expected), got);
 }
@@ -234,19 +235,19 @@ std::optional<Wrong> judge(const VectorsCase<S, N>& c, const Answer& got) {
   const Integer uv = oracle::dot(u, v), uu = oracle::dot(u, u), vv = oracle::dot(v, v);
   if constexpr (Row == 0) {
     if (uu == 0 || vv == 0) return compare(std::uint32_t{0}, got);
-    const Real turns = atan2(sqrt(Real(Integer(uu * vv - uv * uv))), Real(uv)) / two_pi();
+    const Real turns = atan2(sqrt(real(uu * vv - uv * uv)), real(uv)) / two_pi();
     return compare(wrapped(nearest(turns * steps(32))), got);
   } else {
     Answer expected;
     for (int i = 0; i < N; ++i) {
       const Integer a = u[static_cast<std::size_t>(i)], b = v[static_cast<std::size_t>(i)];
       if constexpr (Row == 1) {
-        expected[i] = vv == 0 ? S() : clamped<S>(nearest_quotient(uv * b, vv));
+        expected[i] = vv == 0 ? S() : clamped<S>(judge::nearest_quotient(uv * b, vv));
       } else if constexpr (Row == 2) {
         const auto n = oracle::widen(raw_of(c.normal.vec()));
         const Integer nn = oracle::dot(n, n), off = 2 * oracle::dot(u, n);
         expected[i] =
-            clamped<S>(nearest_quotient(nn * a - off * n[static_cast<std::size_t>(i)], nn));
+            clamped<S>(judge::nearest_quotient(nn * a - off * n[static_cast<std::size_t>(i)], nn));
       } else {
         const Integer way = (b - a) * oracle::raw(c.t);
         expected[i] = clamped<S>(oracle::nearest_even(scaled(a, S::frac) + way, S::frac));

@@ -13,8 +13,8 @@ template <int N>
 Integer nearest_on_surface(const oracle::Nearest<N>& truth, const oracle::Vector<N>& v,
                            std::size_t i) {
   const auto& core = truth.core;
-  const Real beyond = Real(truth.radius) * Real(v[i]) / sqrt(Real(oracle::dot(v, v)));
-  Integer about = nearest(Real(core.over[i]) / Real(core.under) + beyond);
+  const Real beyond = real(truth.radius) * real(v[i]) / sqrt(real(oracle::dot(v, v)));
+  Integer about = nearest(real(core.over[i]) / real(core.under) + beyond);
   for (const Integer& x : {Integer(about - 1), Integer(about + 1)}) {
     if (oracle::is_rounded<N>(x, core, i, truth.radius, v)) return x;
   }

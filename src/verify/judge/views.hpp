@@ -94,10 +94,10 @@ std::optional<Direction<S, 3>> direction_along(const oracle::Vector<3>& v) {
   if (oracle::is_zero(v)) return {};
   using Component = direction_component<S>;
   Real squared = 0;
-  for (const auto& c : v) squared += Real(c) * Real(c);
+  for (const auto& c : v) squared += real(c) * real(c);
   const Real factor = steps(Component::frac) / sqrt(squared);
   return Direction<S, 3>::assume_unit(make_vec<3>([&](int i) {
-    return clamped<Component>(nearest(Real(v[static_cast<std::size_t>(i)]) * factor));
+    return clamped<Component>(nearest(real(v[static_cast<std::size_t>(i)]) * factor));
   }));
 }
 
@@ -123,9 +123,10 @@ std::optional<Wrong> judge(const ViewCase<S, N>& c, const Answer& got) {
       const Integer half = scaled(view->slopes[i] * ahead, View<S>::axis_frac) +
                            scaled(view->extents[i] * whole * sign, View<S>::slope_frac);
       const int shift = S::frac + View<S>::slope_frac + View<S>::axis_frac;
-      return clamped<S>(nearest_quotient(scaled(volume(from_eye, i) * sign, shift), half));
+      return clamped<S>(judge::nearest_quotient(scaled(volume(from_eye, i) * sign, shift), half));
     };
-    const S far = clamped<S>(nearest_quotient(scaled(ahead, View<S>::axis_frac), whole * sign));
+    const S far =
+        clamped<S>(judge::nearest_quotient(scaled(ahead, View<S>::axis_frac), whole * sign));
     return compare(Answer(ScreenPoint<S, S>{across(0), across(1), far}), got);
   } else if constexpr (Row == 1) {
     return compare(Answer(view->point(x, y, depth)), got);
