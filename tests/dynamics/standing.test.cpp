@@ -121,8 +121,9 @@ struct Flat {
     course.dy = static_cast<double>(world.position(top).y) - static_cast<double>(start.y);
     const auto& bodies = detail::WorldAccess::bodies(world);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-      course.mean += static_cast<double>(bodies[i].state.place.y) / bodies.size();
+      course.mean += static_cast<double>(bodies[i].state.place.y);
     }
+    course.mean /= static_cast<double>(bodies.size());
     course.digest = digest(world);
     return course;
   }
