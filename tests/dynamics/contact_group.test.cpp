@@ -133,19 +133,20 @@ TEMPLATE_TEST_CASE("contact groups: four contacts at once have the bits of one a
     const int bits = i % 2 == 0 ? 24 : static_cast<int>(random.between(20, 30));
     const auto start = contacts_of(random, 1 + random.below(4), bits);
     const auto fastest = F::Speed::assume_raw(1 << random.between(15, 24));
+    const std::size_t substep = random.below(8);
     using detail::Pass;
     solved += run<L>(
         start, [](auto& solver) { return solver.warm_start(); },
         [](auto& ready, auto& state, auto& a, auto& b) { detail::warm_start(ready, state, a, b); });
     solved += run<L>(
-        start, [&](auto& solver) { return solver.template solve<Pass::biased>(fastest); },
+        start, [&](auto& solver) { return solver.template solve<Pass::biased>(fastest, substep); },
         [&](auto& ready, auto& state, auto& a, auto& b) {
-          detail::solve_pressure<Pass::biased>(ready, state, a, b, fastest);
+          detail::solve_pressure<Pass::biased>(ready, state, a, b, fastest, substep);
         });
     solved += run<L>(
-        start, [&](auto& solver) { return solver.template solve<Pass::relaxed>(fastest); },
+        start, [&](auto& solver) { return solver.template solve<Pass::relaxed>(fastest, substep); },
         [&](auto& ready, auto& state, auto& a, auto& b) {
-          detail::solve_pressure<Pass::relaxed>(ready, state, a, b, fastest);
+          detail::solve_pressure<Pass::relaxed>(ready, state, a, b, fastest, substep);
           detail::solve_friction(ready, state, a, b);
         });
   }

@@ -79,8 +79,8 @@ bool is_left_alone(const Contact& contact, const Bodies& bodies, std::size_t k) 
   ready.grip = F::Ratio(1);
   detail::measure_gaps(ready, a, b);
   const auto fastest = F::Speed::assume_raw(1 << 20);
-  detail::solve_pressure<detail::Pass::biased>(ready, state, a, b, fastest);
-  detail::solve_pressure<detail::Pass::relaxed>(ready, state, a, b, fastest);
+  detail::solve_pressure<detail::Pass::biased>(ready, state, a, b, fastest, 0);
+  detail::solve_pressure<detail::Pass::relaxed>(ready, state, a, b, fastest, 0);
   detail::solve_friction(ready, state, a, b);
   bool is_alone = state == detail::BodyContact<S, 3>() && a.velocity == va && b.velocity == vb &&
                   a.spin == wa && b.spin == wb;

@@ -207,11 +207,13 @@ class GroupSolver : FourPairs<L, S> {
   }
 
   template <Pass P>
-  [[nodiscard]] bool solve(const Speed& fastest) noexcept {
+  [[nodiscard]] bool solve(const Speed& fastest, std::size_t substep) noexcept {
     std::array<Side<Impulse>, Group::capacity> pressures;
     const Motions path_a = P == Pass::relaxed ? bodies_a_.paths() : Motions();
     const Motions path_b = P == Pass::relaxed ? bodies_b_.paths() : Motions();
-    for (std::size_t i = 0; i < group_.count; ++i) {
+    for (std::size_t k = 0; k < Group::capacity; ++k) {
+      const auto i = nth_point<P, Group::capacity>(k, substep);
+      if (i >= group_.count) continue;
       const Lever& lever = group_.pressure[i];
       Side<Speed> gap;
       if constexpr (P == Pass::relaxed) {

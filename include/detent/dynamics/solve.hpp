@@ -29,6 +29,16 @@ template <Scalar S, class Impulse = typename Formats<S>::Impulse>
 
 enum class Pass : std::uint8_t { biased, relaxed };
 
+/// The index of the k-th point that a pass solves in the contacts of a substep.
+///
+/// The order rotates from pass to pass. The points of a contact disturb each other, so with a fixed
+/// order the same corners of boxes would always carry more, and tip stacks: the top of 20 boxes would
+/// drift by 0.02 instead of 0.0002.                              (tests/dynamics/hold.test.cpp)
+template <Pass P, std::size_t Capacity>
+[[nodiscard]] constexpr std::size_t nth_point(std::size_t k, std::size_t substep) noexcept {
+  return (k + substep + (P == Pass::relaxed ? Capacity / 2 : 0)) % Capacity;
+}
+
 /// Pushes the bodies apart at each point of a contact, one after another. Bodies move between a
 /// biased pass and the following relaxed one, so relaxed passes compute gaps, and each biased pass
 /// uses those of the previous pass, at first those at the start of the tick.
@@ -37,12 +47,16 @@ enum class Pass : std::uint8_t { biased, relaxed };
 template <Pass P, Scalar S, int N>
 constexpr void solve_pressure(ReadyContact<S, N>& ready, BodyContact<S, N>& contact,
                               Moving<S, N>& a, Moving<S, N>& b,
-                              const typename Formats<S>::Speed& fastest) noexcept {
+                              const typename Formats<S>::Speed& fastest,
+                              std::size_t substep) noexcept {
   using F = Formats<S>;
   using Speed = typename F::Speed;
   using Impulse = typename F::Impulse;
+  constexpr auto capacity = ReadyContact<S, N>::capacity;
   const auto& soft = ready.is_wall ? wall_softness<S> : contact_softness<S>;
-  for (std::size_t i = 0; i < ready.count; ++i) {
+  for (std::size_t k = 0; k < capacity; ++k) {
+    const auto i = nth_point<P, capacity>(k, substep);
+    if (i >= ready.count) continue;
     const auto& row = ready.pressure[i];
     auto& total = contact.pressure[i];
     const auto rate =

@@ -93,7 +93,9 @@ class Tick {
       let_go(bodies);
     }
     group_.prepare(joints, bodies, supports_, pace.rate);
-    for (int i = 0; i < substeps; ++i) substep(bodies, joints, pace, ends, threads);
+    for (int i = 0; i < substeps; ++i) {
+      substep(static_cast<std::size_t>(i), bodies, joints, pace, ends, threads);
+    }
     scatter_all(threads);
     group_.finish(joints);
     for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
@@ -1232,7 +1234,7 @@ class Tick {
   };
 
   template <class Threads>
-  constexpr void substep(Bodies& bodies, Joints& joints, const Pace<S, N>& pace,
+  constexpr void substep(std::size_t index, Bodies& bodies, Joints& joints, const Pace<S, N>& pace,
                          const ColourEnds& ends, const Threads& threads) {
     each_block(bodies, threads, [&](std::size_t begin, std::size_t end) {
       Turner<1> turner{*this, bodies};
@@ -1256,10 +1258,10 @@ class Tick {
     group_.template solve_all<Pass::biased>(joints, moving_, supports_);
     solve_each<OfIdle::checked>(
         bodies, ends, threads,
-        [&](auto& solver) { return solver.template solve<Pass::biased>(pace.push); },
+        [&](auto& solver) { return solver.template solve<Pass::biased>(pace.push, index); },
         [&](ReadyContact<S, N>& ready) {
           solve_pressure<Pass::biased>(ready, found_.contacts[ready.contact], moving_[ready.a],
-                                       moving_[ready.b], pace.push);
+                                       moving_[ready.b], pace.push, index);
         });
     each_block(bodies, threads, [&](std::size_t begin, std::size_t end) {
       Turner<0> turner{*this, bodies};
@@ -1274,11 +1276,11 @@ class Tick {
     group_.template solve_all<Pass::relaxed>(joints, moving_, supports_);
     solve_each<OfIdle::checked>(
         bodies, ends, threads,
-        [&](auto& solver) { return solver.template solve<Pass::relaxed>(pace.push); },
+        [&](auto& solver) { return solver.template solve<Pass::relaxed>(pace.push, index); },
         [&](ReadyContact<S, N>& ready) {
           auto& contact = found_.contacts[ready.contact];
           solve_pressure<Pass::relaxed>(ready, contact, moving_[ready.a], moving_[ready.b],
-                                        pace.push);
+                                        pace.push, index);
           if constexpr (has_round) {
             solve_rolling(ready, contact, moving_[ready.a], moving_[ready.b]);
           }

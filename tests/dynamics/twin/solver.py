@@ -230,7 +230,14 @@ class Solver:
             b.v = [0 if no else v for v, no in zip(b.v, b.locked_v)]
             b.w = [0 if no else w for w, no in zip(b.w, b.locked_w)]
 
-    def substep(self, contacts, joints):
+    def points(self, c, substep, biased):
+        capacity = 2 if self.n == 2 else 4
+        first = substep if biased else substep + capacity // 2
+        for k in range(first, first + capacity):
+            if k % capacity < c.count:
+                self.point(c, k % capacity, biased)
+
+    def substep(self, contacts, joints, s):
         f, world = self.f, self.world
         awake = [b for b in world.bodies if b.can_move and not b.sleeps]
         for b in awake:
@@ -261,8 +268,7 @@ class Solver:
         for j in joints:
             j.solve(True)
         for c in contacts:
-            for i in range(c.count):
-                self.point(c, i, True)
+            self.points(c, s, True)
         for b in world.bodies:
             if b.motion == "kinematic" and any(b.v + b.w) or b.can_move and not b.sleeps:
                 if b.can_move:
@@ -281,8 +287,7 @@ class Solver:
         for j in joints:
             j.solve(False)
         for c in contacts:
-            for i in range(c.count):
-                self.point(c, i, False)
+            self.points(c, s, False)
             if c.rolls:
                 self.rolling(c)
             self.friction(c)
@@ -310,8 +315,8 @@ def solve(world, order):
     joints = [Solved(solver, j) for j in world.joints if j and (awake[j.a] or awake[j.b])]
     for j in joints:
         j.aim()
-    for _ in range(world.substeps):
-        solver.substep(contacts, joints)
+    for s in range(world.substeps):
+        solver.substep(contacts, joints, s)
     for c in contacts:
         if c.bounce:
             solver.bounce(c)
