@@ -49,6 +49,23 @@ template <class T, int BN, int FN, int BD, int FD>
           shift_right_floor(rest, shift) >= integer_cast<Integer>(n.error.raw())};
 }
 
+/// n / d rounded to nearest on the grid of `T`, where d is the squared length of a direction or a
+/// unit quaternion and |n| <= d: n (1 - e) for d = 1 + e (docs/filters.md, lemma 42).
+template <class T, int BN, int BD, int F>
+[[nodiscard]] constexpr Decided<T> decide_unit_quotient_nearest(const Fixed<BN, F>& n,
+                                                                const Fixed<BD, F>& d) noexcept {
+  static_assert(F % 2 == 0 && F <= 60 && BN <= F + 1 && BD <= F + 1);
+  const std::int64_t numerator{n.raw()};
+  const std::int64_t excess = std::int64_t{d.raw()} - (std::int64_t{1} << F);
+  DETENT_ASSERT(detail::is_within<F / 2 + 3>(excess));
+  const std::int64_t correction =
+      shift_right_floor(shift_right_floor(numerator, F / 2) * excess, F / 2);
+  return decide_nearest<T>(
+      Approximate{Fixed<F + 2, F>::assume_raw(
+                      static_cast<typename Fixed<F + 2, F>::raw_type>(numerator - correction)),
+                  Steps<22>()});
+}
+
 /// |n| / sqrt(d), rounded down to the grid of `T` and clamped, where d is the squared length of a
 /// direction.
 ///
