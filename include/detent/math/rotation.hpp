@@ -98,16 +98,16 @@ class Rotation {
 
   /// The same for a unit quaternion, whose squared length fits `Bits`.
   template <int Bits>
-  [[nodiscard]] static constexpr Rotation from_unit_quaternion(
-      const Vec<Component, 4>& q) noexcept requires(N == 3) {
+  [[nodiscard]] static constexpr Rotation from_unit_quaternion(const Vec<Component, 4>& q) noexcept
+      requires(N == 3) {
     const auto exact = [&] { return from_quaternion<Bits>(q).value_or(Rotation()); };
-    if constexpr (filter_pays<Component>) {
+    if constexpr (is_fixed<Component> && has_filters) {
       const auto norm = narrow_dot<Bits>(q, q);
       const auto columns = detail::quaternion_columns<Bits>(q);
       Decided<std::array<Column, 3>> rounded{{}, true};
       for (std::size_t i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
-          const auto nearest = decide_unit_quotient_nearest<Component>(columns[i][j], norm);
+          const auto nearest = decide_unit_quotient<Component>(columns[i][j], norm);
           rounded.value[i][j] = nearest.value;
           rounded.is_sure &= nearest.is_sure;
         }
