@@ -225,7 +225,7 @@ class Swept {
         turn_(sweep),
         start_(turn_.at(Time(0))),
         bend_(turn_.bend()),
-        radius_(radius_of(corners)) {}
+        radius_(radius_about_origin(corners)) {}
 
   /// The body at time t, whose corners are within `error()` of the exact ones.
   [[nodiscard]] constexpr auto at(const Time& t) const noexcept {
@@ -252,7 +252,7 @@ class Swept {
 
  private:
   /// The distance of the farthest corner from the origin, rounded up.
-  [[nodiscard]] static constexpr Posed<S> radius_of(const Corners& corners) noexcept {
+  [[nodiscard]] static constexpr Posed<S> radius_about_origin(const Corners& corners) noexcept {
     using Squared = std::remove_cvref_t<decltype(squared_length(corners[0]))>;
     Squared most(0);
     for (const auto& corner : corners) {
