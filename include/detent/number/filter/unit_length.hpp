@@ -55,7 +55,7 @@ template <class T, int BN, int FN, int BD, int FD>
 template <class T, int BN, int BD, int F>
 [[nodiscard]] constexpr Decided<T> decide_unit_quotient(const Fixed<BN, F>& n,
                                                         const Fixed<BD, F>& d) noexcept {
-  static_assert(F % 2 == 0 && F <= 60 && BN <= F + 1 && BD <= F + 1);
+  static_assert(F % 2 == 0 && 28 <= F && F <= 60 && BN <= F + 1 && BD <= F + 1);
   constexpr std::int64_t tolerance = (std::int64_t{1} << (F / 2 + 2)) + 4;
   const std::int64_t numerator{n.raw()};
   const std::int64_t excess = std::int64_t{d.raw()} - (std::int64_t{1} << F);
