@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #include "detent/number/digest.hpp"
 #include "math/frames.hpp"
@@ -168,6 +169,25 @@ TEMPLATE_TEST_CASE("quat: vectors and axes are rotated with one rounding", "", q
   }
   INFO(random);
   CHECK(wrong == 0);
+}
+
+TEMPLATE_TEST_CASE("quat: a rotation is rounded correctly where an entry is next to a midpoint", "",
+                   q16_16, q14_16, q24_8, q8_8) {
+  using S = TestType;
+  using C = direction_component<S>;
+  using Raw = typename C::raw_type;
+  for (const int odd : {1, 3}) {
+    // 2 z^2 / |q|^2 is nearly odd^2 / 2 steps: the filter is unsure.
+    const auto small = C::from_raw(static_cast<Raw>(odd << (C::frac / 2 - 1)));
+    for (const auto& [z, w] : {std::pair{small, C(1)}, std::pair{C(1), small}}) {
+      const auto rotation = to_rotation(Quat<S>::assume_unit({C(0), C(0), z, w}));
+      const auto norm = w * w + z * z;
+      REQUIRE(rotation.axis(0)[0] == quotient_nearest<C>(w * w - z * z, norm));
+      REQUIRE(rotation.axis(0)[1] == quotient_nearest<C>(w * z * 2, norm));
+      REQUIRE(rotation.axis(1)[0] == quotient_nearest<C>(-(w * z * 2), norm));
+      REQUIRE(rotation.axis(2) == Direction<S, 3>::along(2));
+    }
+  }
 }
 
 TEMPLATE_TEST_CASE("quat: is recovered from its rotation within 1.5 units", "", q16_16, q14_16,

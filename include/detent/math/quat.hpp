@@ -187,8 +187,7 @@ template <Scalar S>
 /// exact: each component rounded to nearest, ties to even               (tests/math/quat.test.cpp)
 template <Scalar S>
 [[nodiscard]] constexpr Rotation<S, 3> to_rotation(const Quat<S>& q) noexcept {
-  return Rotation<S, 3>::template from_quaternion<detail::cosine_bits<S>>(q.vec()).value_or(
-      Rotation<S, 3>());
+  return Rotation<S, 3>::template from_unit_quaternion<detail::cosine_bits<S>>(q.vec());
 }
 
 /// Rotates the vector `v` from the local frame into the world.

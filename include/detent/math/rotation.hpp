@@ -7,6 +7,7 @@
 
 #include "detent/math/direction.hpp"
 #include "detent/number/angle.hpp"
+#include "detent/number/filter/unit_length.hpp"
 
 namespace detent {
 
@@ -93,6 +94,28 @@ class Rotation {
           make_vec<3>([&](int j) { return quotient_nearest<Component>(exact[i][j], norm); });
     }
     return from_columns(columns);
+  }
+
+  /// The same for a unit quaternion, whose squared length fits `Bits`.
+  template <int Bits>
+  [[nodiscard]] static constexpr Rotation from_unit_quaternion(const Vec<Component, 4>& q) noexcept
+      requires(N == 3) {
+    const auto exact = [&] { return from_quaternion<Bits>(q).value_or(Rotation()); };
+    if constexpr (is_fixed<Component> && has_filters) {
+      const auto norm = narrow_dot<Bits>(q, q);
+      const auto columns = detail::quaternion_columns<Bits>(q);
+      Decided<std::array<Column, 3>> rounded{{}, true};
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+          const auto nearest = decide_unit_quotient<Component>(columns[i][j], norm);
+          rounded.value[i][j] = nearest.value;
+          rounded.is_sure &= nearest.is_sure;
+        }
+      }
+      return rounded.is_sure ? from_columns(rounded.value) : exact();
+    } else {
+      return exact();
+    }
   }
 
   /// The rotation by `angle` about `axis`, counter-clockwise if the axis points at the viewer.

@@ -88,7 +88,12 @@ class Turn {
   /// In units of 2^-30: rounding the quaternion's components moves it by at most 1, so points move
   /// by at most 2 r; rounding the matrix moves them by at most 3 / 2 r.
   [[nodiscard]] constexpr Rotation<S, N> at(const Time& t) const noexcept {
-    const auto q = start_.vec() + (end_.vec() - start_.vec()) * t;
+    // Every component is between two that do not exceed 1.
+    constexpr int bits = cosine_bits<S>;
+    const auto q = make_vec<4>([&](int i) {
+      const auto& from = start_.vec()[i];
+      return narrow_sum<bits>(from, narrow_product<bits>(end_.vec()[i] - from, t));
+    });
     return from_space<N>(to_rotation(Quat<S>::along(q).value_or(start_)));
   }
 

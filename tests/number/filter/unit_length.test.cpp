@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 
 #include "number/big_integer.hpp"
 #include "support/catch.hpp"
@@ -68,4 +69,44 @@ TEST_CASE("divide_by_length: correct at every step and next to it") {
     const BigInteger m = sqrt(BigInteger((k % 32768) * (k % 32768) * big_raw(small)));
     for (const int j : {0, 1}) check_one(fixed_from<Fixed<31, 22>>(m + j), small, q8_8());
   }
+}
+
+TEST_CASE("decide_unit_quotient: correct next to midpoints, and unsure only there") {
+  Random random(20261127);
+  INFO(random);
+  const auto check_near = [&]<int F>(auto unit, std::integral_constant<int, F>) {
+    using T = decltype(unit);
+    using Number = Fixed<F + 1, F>;
+    using Raw = typename Number::raw_type;
+    constexpr int shift = F - T::frac;
+    constexpr std::int64_t one_raw = std::int64_t{1} << F, most = (std::int64_t{4} << F / 2) + 4;
+    int wrong = 0, needless = 0, unsure = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const bool is_far = random.one_in(4);
+      const std::int64_t e = random.coin() ? (random.coin() ? most : -most)
+                             : is_far      ? random.between(-one_raw / 2, one_raw / 2)
+                                           : random.between(-most, most);
+      const auto d = Number::from_raw(static_cast<Raw>(one_raw + e));
+      // Next to a midpoint: (2 k + 1) / 2 steps, times d.
+      const std::int64_t limit = std::int64_t{1} << T::frac;
+      const BigInteger odd = 2 * random.between(-limit, limit - 1) + 1;
+      const BigInteger middle = odd * big_raw(d) / power_of_two(T::frac + 1);
+      for (const int away : {0, 1, 2, 4, 8, 16, 32, 64}) {
+        const BigInteger n = middle + (random.coin() ? away : -away);
+        if (abs(n) > big_raw(d)) continue;
+        const auto numerator = fixed_from<Number>(n);
+        const auto decided = decide_unit_quotient<T>(numerator, d);
+        const auto exact = quotient_nearest<T>(numerator, d);
+        wrong += decided.is_sure && decided.value != exact ? 1 : 0;
+        const bool is_near = -most <= e && e <= most;
+        needless += is_near && away == 64 && shift > 8 && !decided.is_sure ? 1 : 0;
+        unsure += is_near && !decided.is_sure ? 1 : 0;
+      }
+    }
+    CHECK(wrong == 0);
+    CHECK(needless == 0);
+    CHECK(unsure > 50'000);
+  };
+  check_near(Fixed<31, 30>(), std::integral_constant<int, 60>());
+  check_near(Fixed<15, 14>(), std::integral_constant<int, 28>());
 }

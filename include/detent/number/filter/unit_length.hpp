@@ -49,6 +49,24 @@ template <class T, int BN, int FN, int BD, int FD>
           shift_right_floor(rest, shift) >= integer_cast<Integer>(n.error.raw())};
 }
 
+/// n / d rounded to nearest on the grid of `T` for |n| <= d, where d is the squared length of a
+/// direction or a unit quaternion: n (1 - e) for d = 1 + e (docs/filters.md, lemma 42). Unsure for
+/// any other d.
+template <class T, int BN, int BD, int F>
+[[nodiscard]] constexpr Decided<T> decide_unit_quotient(const Fixed<BN, F>& n,
+                                                        const Fixed<BD, F>& d) noexcept {
+  static_assert(F % 2 == 0 && 28 <= F && F <= 60 && BN <= F + 1 && BD <= F + 1);
+  constexpr std::int64_t tolerance = (std::int64_t{1} << (F / 2 + 2)) + 4;
+  const std::int64_t numerator{n.raw()};
+  const std::int64_t excess = std::int64_t{d.raw()} - (std::int64_t{1} << F);
+  const auto correction = shift_right_floor(
+      wrapping_multiply<std::int64_t>(shift_right_floor(numerator, F / 2), excess), F / 2);
+  const auto quotient = Fixed<63, F>::assume_raw(numerator - correction);
+  auto nearest = decide_nearest<T>(Approximate{quotient, Steps<22>()});
+  nearest.is_sure &= -tolerance <= excess && excess <= tolerance;
+  return nearest;
+}
+
 /// |n| / sqrt(d), rounded down to the grid of `T` and clamped, where d is the squared length of a
 /// direction.
 ///

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
 
 #include "detent/math/sweep.hpp"
+#include "detent/math/width.hpp"
 #include "detent/query/kernel/length.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/hull.hpp"
@@ -39,11 +41,12 @@ template <Scalar S, int N>
   }
   return corners;
 }
-/// An oriented box is the one that its edges span. With b bits, a component is below 2^b + 3 * 2^b.
+/// An oriented box is the one that its edges span. With b bits, a component is at least -4 * 2^b and
+/// below 4 * 2^b, because that of the center is below 2^b.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto local_corners(const Obb<S, N>& box) noexcept {
   using Component = direction_component<S>;
-  constexpr int bits = result_bits(bits_of<S> + bits_of<Component> + 1);
+  constexpr int bits = bits_of<S> + bits_of<Component> + 1;
   using Sum = decltype(narrow_product<bits>(S(), Component()));
   std::array<Vec<Sum, N>, std::size_t{1} << N> corners;
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -165,6 +168,32 @@ class PosedBody {
     }
     return best;
   }
+  /// The same along an axis.
+  template <Scalar S, Number T>
+  [[nodiscard]] constexpr Vec<P, N> extreme(const Direction<S, N>& axis, const Vec<T, N>& from,
+                                            bool farthest) const noexcept {
+    constexpr int bits = bits_of<P> + 1;
+    const auto exact = [&] { return extreme<bits>(axis.vec(), from, farthest); };
+    if constexpr (is_fixed<P> && has_filters) {
+      // Relative to the first corner, those of most bodies need only one word.
+      constexpr int short_bits = (std::min)(bits, 31);
+      const Vec<P, N> first = some();
+      std::size_t best = 0;
+      auto reached = dot(axis, narrow<short_bits>(first - first));
+      for (std::size_t i = 1; i < corners_.size(); ++i) {
+        const auto step = corners_[i] - first;
+        if (!fits<short_bits>(step)) return exact();
+        const auto along = dot(axis, narrow<short_bits>(step));
+        // Branchless: which corner is farther is unpredictable.
+        const bool is_beyond = farthest ? along > reached : along < reached;
+        best = is_beyond ? i : best;
+        reached = is_beyond ? along : reached;
+      }
+      return corners_[best];
+    } else {
+      return exact();
+    }
+  }
 
  private:
   template <class Beyond>
@@ -195,16 +224,12 @@ class Swept {
         sweep_(sweep),
         turn_(sweep),
         start_(turn_.at(Time(0))),
-        bend_(turn_.bend()) {
-    for (const auto& corner : corners) {
-      const auto distance = sqrt_ceil<Posed<S>>(squared_length(corner));
-      if (distance > radius_) radius_ = distance;
-    }
-  }
+        bend_(turn_.bend()),
+        radius_(radius_about_origin(corners)) {}
 
   /// The body at time t, whose corners are within `error()` of the exact ones.
   [[nodiscard]] constexpr auto at(const Time& t) const noexcept {
-    const Pose<S, N> pose(sweep_, turn_.is_still() ? start_ : turn_.at(t), t);
+    const Pose<S, N> pose(sweep_, turn_.is_still() || t == 0 ? start_ : turn_.at(t), t);
     const auto corners = posed(corners_, pose);
     return PosedBody<Posed<S>, N, std::remove_cvref_t<decltype(corners)>>(corners);
   }
@@ -226,12 +251,24 @@ class Swept {
   [[nodiscard]] constexpr auto straying(const Time& d) const noexcept { return bend() * square(d); }
 
  private:
+  /// The distance of the farthest corner from the origin, rounded up.
+  [[nodiscard]] static constexpr Posed<S> radius_about_origin(const Corners& corners) noexcept {
+    using Squared = std::remove_cvref_t<decltype(squared_length(corners[0]))>;
+    Squared most(0);
+    for (const auto& corner : corners) {
+      const auto squared =
+          by_width<62>([](const auto& c) { return Squared(squared_length(c)); }, corner);
+      if (squared > most) most = squared;
+    }
+    return sqrt_ceil<Posed<S>>(most);
+  }
+
   Corners corners_;
   Sweep<S, N> sweep_;
   Turn<S, N> turn_;
   Rotation<S, N> start_;  // of the frame, at time 0
   decltype(turn_.bend()) bend_;
-  Posed<S> radius_{};
+  Posed<S> radius_;
 };
 template <Scalar S, int N, class Corners>
 Swept(const Corners&, const Sweep<S, N>&) -> Swept<S, N, Corners>;

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "detent/number/filter/unit_length.hpp"
 #include "detent/query/time_of_impact/search.hpp"
 #include "detent/shape/plane.hpp"
 
@@ -33,11 +34,19 @@ class StillPlane {
 template <class A, Scalar S, int N>
 [[nodiscard]] constexpr auto gap_along(const Direction<S, N>& axis, const A& a,
                                        const Plane<S, N>& plane) noexcept {
-  constexpr int bits = bits_of<Posed<S>> + 1;
-  const auto& n = axis.vec();
-  const auto least = dot(axis, a.template extreme<bits>(n, a.some(), false));
+  const auto least = dot(axis, a.extreme(axis, a.some(), false));
   const bool is_normal = axis == plane.normal;
   return is_normal ? least - plane.offset : least - -plane.offset;
+}
+
+/// gap / |n|, rounded down.
+template <class T, Number Gap, Number Squared>
+[[nodiscard]] constexpr T along_normal(const Gap& gap, const Squared& squared_norm) noexcept {
+  if constexpr (bits_of < Gap >> 63) {
+    return divide_by_length<T>(gap, squared_norm);
+  } else {
+    return sqrt_floor<T>(Fraction{square(gap), squared_norm});
+  }
 }
 
 template <Scalar S, class A, int N>
@@ -48,8 +57,7 @@ template <Scalar S, class A, int N>
   for (const auto& axis : {plane.normal, -plane.normal}) {
     const auto gap = gap_along(axis, a, plane);
     if (gap > 0) {
-      return GapBetween<S, N, Between>{sqrt_floor<Between>(Fraction{square(gap), squared_norm}),
-                                       axis};
+      return GapBetween<S, N, Between>{along_normal<Between>(gap, squared_norm), axis};
     }
   }
   return GapBetween<S, N, Between>{Between(0), std::nullopt};

@@ -37,10 +37,7 @@ template <Scalar S, class A, class B, int N = A::dimension>
 template <class A, class B, Scalar S, int N>
 [[nodiscard]] constexpr auto gap_along(const Direction<S, N>& axis, const A& a,
                                        const B& b) noexcept {
-  constexpr int bits = bits_of<Posed<S>> + 1;
-  const auto& n = axis.vec();
-  return dot(axis, a.template extreme<bits>(n, b.some(), false)) -
-         dot(axis, b.template extreme<bits>(n, a.some(), true));
+  return dot(axis, a.extreme(axis, b.some(), false)) - dot(axis, b.extreme(axis, a.some(), true));
 }
 
 /// The search for the time of impact of two moving polytopes, each grown by a radius.
@@ -71,26 +68,48 @@ class ImpactSearch {
 
   [[nodiscard]] constexpr Result first(const S& target) const noexcept {
     Time t(0);
+    auto from_a = a_.at(t);
+    auto from_b = b_.at(t);
+    auto view = view_of(from_a, from_b);
+    const auto hit = [&](int step) { return Result{Impact<S>{t, view.distance, true}, step}; };
+    if (view.touches(target)) return hit(1);
+    const auto end_a = a_.at(Time(1));
+    const auto end_b = b_.at(Time(1));
     for (int step = 1;; ++step) {
-      const auto from_a = a_.at(t);
-      const auto from_b = b_.at(t);
-      const auto view = separation_of<S>(from_a, from_b);
-      const auto distance = at_most(view.distance);
-      const Result hit{Impact<S>{t, distance, true}, step};
-      if (distance <= target || !view.axis) return hit;
-      if (step == most_steps) return {Impact<S>{t, distance, false}, step};
+      if (step == most_steps) return {Impact<S>{t, view.distance, false}, step};
       const Path path(*this, *view.axis, t, gap_along(*view.axis, from_a, from_b));
-      const auto at_start = path.slack_at_start(), at_end = path.slack(Time(1));
-      if (!(at_start > 0)) return hit;
+      const auto at_start = path.slack_at_start(), at_end = path.slack(Time(1), end_a, end_b);
+      if (!(at_start > 0)) return hit(step);
       if (at_end > 0) return {std::nullopt, step};
       const Time next = path.advance(at_start, at_end);
-      if (!(next > t)) return hit;
+      if (!(next > t)) return hit(step);
       t = next;
+      from_a = a_.at(t);
+      from_b = b_.at(t);
+      view = view_of(from_a, from_b);
+      if (view.touches(target)) return hit(step + 1);
     }
   }
 
  private:
   static constexpr int most_steps = 128, most_trials = 64;
+
+  using PosedA = std::remove_cvref_t<decltype(std::declval<A>().at(Time()))>;
+  using PosedB = std::remove_cvref_t<decltype(std::declval<B>().at(Time()))>;
+
+  /// An upper bound on the distance of the bodies, and the best separating axis.
+  struct View {
+    S distance;
+    std::optional<Direction<S, N>> axis;
+
+    [[nodiscard]] constexpr bool touches(const S& target) const noexcept {
+      return distance <= target || !axis;
+    }
+  };
+  [[nodiscard]] constexpr View view_of(const PosedA& a, const PosedB& b) const noexcept {
+    const auto cores = separation_of<S>(a, b);
+    return {at_most(cores.distance), cores.axis};
+  }
 
   /// An upper bound on the exact distance, from that of the posed cores rounded down.
   template <Number Between>
@@ -107,8 +126,8 @@ class ImpactSearch {
     }
   }
 
-  using Gap = decltype(gap_along(Direction<S, N>(), std::declval<A>().at(Time()),
-                                 std::declval<B>().at(Time())));
+  using Gap =
+      decltype(gap_along(Direction<S, N>(), std::declval<PosedA>(), std::declval<PosedB>()));
 
   /// The motion along one axis, starting at one time.
   class Path {
@@ -125,7 +144,12 @@ class ImpactSearch {
 
     /// If this is positive, the bodies are apart from the start to `t`.
     [[nodiscard]] constexpr auto slack(const Time& t) const noexcept {
-      const auto gap = gap_along(axis_, search_.a_.at(t), search_.b_.at(t));
+      return slack(t, search_.a_.at(t), search_.b_.at(t));
+    }
+    /// The same, from the bodies at `t`.
+    [[nodiscard]] constexpr auto slack(const Time& t, const PosedA& a,
+                                       const PosedB& b) const noexcept {
+      const auto gap = gap_along(axis_, a, b);
       return slack(t, gap < gap_ ? gap : gap_);
     }
 
