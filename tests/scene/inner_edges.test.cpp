@@ -182,12 +182,50 @@ TEST_CASE("inner edges: triangles of closed solids defer to those of the rule", 
   check_sweep(0xed6f, sweep_solids);
 }
 
+TEST_CASE("inner edges: of triangles that all defer to each other, the nearest has a contact",
+          "[mesh][oracle]") {
+  check_sweep(0x9f1fd9d03f0a9b4, sweep_solids);
+}
+
 TEST_CASE("inner edges: triangles of height fields defer to those of the rule", "[mesh][oracle]") {
   check_sweep(0xed70, sweep_fields);
 }
 
 TEST_CASE("inner edges: triangles of placed meshes defer to those of the rule", "[mesh][oracle]") {
   check_sweep(0xed71, sweep_placed_meshes);
+}
+
+TEST_CASE("inner edges: a collapsed triangle does not rise", "[mesh][oracle]") {
+  const auto at = [](int x, int y, int z) { return Vec<S, 3>{S(x), S(y), S(z)}; };
+  const Triangle<S, 3> flat{at(0, 0, 0), at(-4, 0, -2), at(-4, 0, 2)};
+  const auto owned = mesh_of<S>({flat, {at(0, 0, 0), at(4, 2, 0), at(4, 2, 0)}});
+  const auto mesh = owned.view();
+  const Sphere<S, 3> ball{at(2, 1, 0), S(3)};
+  for (const auto facing : {Facing::both, Facing::front}) {
+    std::array<MeshContact<S>, 2> found;
+    REQUIRE(contacts(mesh, ball, std::span(found), facing) == 2);
+    CHECK(found[0].contact == contact(flat, ball));
+    ContactCounts counts;
+    examine_contacts(mesh, faces_of(mesh), ball, facing, counts);
+  }
+}
+
+TEST_CASE("inner edges: what is level with a face of two sides leaves it to the nearer one",
+          "[mesh]") {
+  const auto at = [](int x, int y, int z) { return Vec<S, 3>{S(x), S(y), S(z)}; };
+  const auto owned = mesh_of<S>(
+      {{at(0, 0, -4), at(0, 0, 4), at(-4, 0, 0)}, {at(0, 0, 4), at(0, 0, -4), at(4, 0, 0)}});
+  const auto mesh = owned.view();
+  // Each triangle would push such a post sideways over their edge.
+  for (const int up : {-8, 8}) {
+    const Aabb<S, 3> post{{S(-1), S(std::min(0, up) - 2), S(-1)},
+                          {S(1), S(std::max(0, up) + 2), S(1)}};
+    std::array<MeshContact<S>, 2> found;
+    REQUIRE(contacts(mesh, post, std::span(found), Facing::both) == 1);
+    CHECK(found[0].triangle == 0);
+    CHECK(found[0].contact.depth == S(2));
+    CHECK(found[0].contact.normal[1] == (up > 0 ? 1 : -1));
+  }
 }
 
 TEST_CASE("inner edges: many more triangles defer to those of the rule",
