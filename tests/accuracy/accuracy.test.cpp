@@ -88,6 +88,24 @@ TEST_CASE("accuracy: far away, float is no better than a coin toss, even for its
   CHECK(wrong_at("30000", "double", Inputs::own) == 0);
 }
 
+TEST_CASE("accuracy: characters end where they should, and walks that do not are found") {
+  const Query& query = query_named("mover/capsule");
+  const auto walks_at = [&](const std::string& place) {
+    return survey(query, rung_named(Ladder::place, place), 8L * query.cost, seed);
+  };
+  for (const auto* const place : {"0", "20000"}) {
+    const auto result = walks_at(place);
+    const auto* const cell = find(result, "q16_16", Inputs::own);
+    INFO(place);
+    CHECK(share_of_wrong(cell) == 0);
+    CHECK(cell->questions == 8);
+    CHECK(cell->largest > 0);
+    CHECK(cell->largest < 65536 / 32);
+  }
+  // The numbers of float are 1/16 apart there.
+  CHECK(share_of_wrong(find(walks_at("1000000"), "float", Inputs::own)) > 0.5);
+}
+
 TEST_CASE("accuracy: unrepresentable inputs count only for questions as asked") {
   const auto result =
       survey(query_named("raycast/sphere"), rung_named(Ladder::size, "2^-16"), 200, seed);

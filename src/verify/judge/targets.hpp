@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
+#include "oracle/inner_edges.hpp"
 #include "verify/judge/casts.hpp"
 #include "verify/judge/meshes.hpp"
 #include "verify/judge/pairs.hpp"
@@ -90,53 +96,45 @@ std::optional<Wrong> judge(const TargetCastCase<S, N, Target, Shape>& c, const A
       [&] { return compare(Answer(), got); });
 }
 
-/// Whether a contact pushes a hull out of a triangle along the triangle's normal, by the least
-/// number of units. The points are not judged.
-template <Scalar S>
-bool is_face_contact(const Contact<S, 3>& found, const Triangle<S, 3>& triangle,
-                     const HullPoints<S, 3>& hull) {
-  const auto a = oracle::raw(triangle.a);
-  auto normal = oracle::cross(oracle::difference(oracle::raw(triangle.b), a),
-                              oracle::difference(oracle::raw(triangle.c), a));
-  if (oracle::is_zero(normal)) return false;
-  const auto given = oracle::widen(raw_of(found.normal.vec()));
-  if (oracle::dot(given, normal) < 0) normal = oracle::negated(normal);
-  if (!oracle::is_unit_along(found.normal, normal)) return false;
-  std::optional<Integer> height;
-  for (std::size_t i = 0; i < hull.count; ++i) {
-    const Integer h = oracle::dot(normal, oracle::difference(a, oracle::raw(hull.points[i])));
-    if (!height || h > *height) height = h;
-  }
-  const Integer depth = oracle::raw(found.depth), squared = oracle::dot(normal, normal);
-  const Integer less = depth - 1;
-  const bool is_enough = depth * depth * squared >= *height * *height;
-  const bool is_least = depth == 0 || less * less * squared < *height * *height;
-  return *height >= 0 && (found.depth == largest<S> || is_enough) && is_least;
-}
-
-/// Which triangles at inner edges have contacts depends on rounded normals. The judge checks that
-/// there is a contact if and only if there is an overlap, and that each is one of its triangle: the
-/// exact one, or that along the triangle's normal.
+/// The oracle decides which triangles have contacts. The points of those along a triangle's normal
+/// are not judged.
 template <int Row, Scalar S, int N, class Target>
 std::optional<Wrong> judge(const TargetCase<S, N, Target, HullPoints<S, N>>& c,
                            const MeshContacts<S>& got) {
+  using Kind = oracle::TriangleContact::Kind;
   const auto triangles = triangles_of(c.target);
-  std::size_t met = 0;
-  for (const auto& triangle : triangles) met += oracle::meet(triangle, as_shape(c.shape)) ? 1u : 0u;
-  const auto wrong = [&](const std::string& expected) { return Wrong{expected, words(got)}; };
-  if ((got.count > 0) != (met > 0) || got.count > met) {
-    return wrong("contacts of " + std::to_string(met) + " overlapping triangles");
+  std::vector<oracle::Face<3>> faces;
+  for (const auto& triangle : triangles) {
+    faces.push_back({{oracle::raw(triangle.a), oracle::raw(triangle.b), oracle::raw(triangle.c)}});
   }
-  std::optional<std::uint32_t> last;
-  for (const auto& [contact, index] : got.kept()) {
-    if (index >= triangles.size() || (last && index <= *last)) return wrong("sorted triangles");
-    last = index;
-    const auto& triangle = triangles[index];
-    if (!oracle::meet(triangle, as_shape(c.shape))) return wrong("overlapping triangles");
-    if (is_face_contact(contact, triangle, c.shape)) continue;
-    auto other = judge<0>(PairCase<S, N, Triangle<S, N>, HullPoints<S, N>>{triangle, c.shape},
-                          std::optional(contact));
-    if (other) return other;
+  constexpr bool has_front = std::is_same_v<Target, FieldSamples<S>>;
+  const auto truth = oracle::surface_contacts(faces, oracle::exact(as_shape(c.shape)), has_front,
+                                              oracle::one_of<S>());
+  std::vector<std::uint32_t> expected;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (truth[i].push) expected.push_back(static_cast<std::uint32_t>(i));
+  }
+  const auto wrong = [&](std::string text) { return Wrong{std::move(text), words(got)}; };
+  const auto kept = got.kept();
+  const bool are_right = std::equal(kept.begin(), kept.end(), expected.begin(),
+                                    expected.begin() + std::min(kept.size(), expected.size()),
+                                    [](const auto& a, auto index) { return a.triangle == index; });
+  if (got.count != expected.size() || !are_right) {
+    std::string text = std::to_string(expected.size()) + " contacts, of triangles";
+    for (const auto index : expected) text += ' ' + std::to_string(index);
+    return wrong(text);
+  }
+  for (const auto& [contact, index] : kept) {
+    const auto& [kind, push] = truth[index];
+    if (kind == Kind::least) {
+      auto other =
+          judge<0>(PairCase<S, N, Triangle<S, N>, HullPoints<S, N>>{triangles[index], c.shape},
+                   std::optional(contact));
+      if (other) return other;
+    } else if (!oracle::is_contact<S, N>(contact, push)) {
+      return wrong("depth " + push->depth.str() + " units along the normal of triangle " +
+                   std::to_string(index));
+    }
   }
   return std::nullopt;
 }

@@ -36,13 +36,20 @@ struct FacePush {
 
 /// The contacts of one shape with the triangles of a surface.
 ///
-/// A contact whose normal is not that of its triangle pushes the shape off the triangle over an
-/// edge or a corner. It is valid only if the surface ends there: no other triangle at that edge or
-/// corner rises above the plane through it. If one does, and the shape touches that triangle in a
-/// valid contact, that contact counts and this triangle has none. If the shape touches no such
-/// triangle, it leaves along the triangle's own normal, unless a rising triangle that it touches
-/// has a nearer face. (Of equally near ones the first counts, so one of the triangles that defer to
-/// each other remains.)
+/// Let n be the normal of `contact` of a triangle T and the shape. Another triangle U rises at T if
+/// U has all corners of T that are highest along n, up to 4 ULP, and one that is higher than these
+/// by more than 4 ULP. Collapsed triangles do not rise.
+///
+/// n is valid if T is collapsed, if n is the front of T or, with two sides, its back, or if nothing
+/// rises at T: the surface ends there, and the shape leaves it over an edge or a corner. With
+/// Facing::front, n must also point to the front of T. If n is valid, T has that contact.
+///
+/// Otherwise the shape leaves T along T's own normal, out of its plane: to the front or, with two
+/// sides, to the side of n; to the nearer one if n is in the plane. T defers, and has no contact,
+/// if the shape touches a triangle U that rises at T and whose contact has a valid normal or whose
+/// plane is nearer: the translation out of it, on the side of T's n, has a lesser depth, rounded
+/// up. (Of equally near ones the first counts, so one of the triangles that defer to each other
+/// remains.)
 template <class Surface, class Shape, Scalar S>
 class SurfaceContacts {
  public:
@@ -64,8 +71,9 @@ class SurfaceContacts {
       });
     };
     visit_all(false);
-    // If triangles have two sides, all may have deferred to each other: each measured the faces of
-    // the others on its own side. Of faces on their own sides, the nearest defers to none.
+    // If triangles have two sides, all may have deferred to each other: each measured the depths of
+    // the others on the side of its own n. If all measure U's on the side of U's n, the nearest
+    // defers to none.
     if (touches && !is_found) visit_all(true);
   }
 
@@ -234,15 +242,18 @@ constexpr void insert_contact(std::span<MeshContact<S>> out, std::size_t count,
 /// There are no bumps at inner edges: a normal is that of the triangle, unless the shape touches an
 /// edge or a corner at which no other triangle rises. So a shape that slides over a tessellated
 /// plane only meets the plane's normal, and in a valley only those of both sides. Triangles share
-/// an edge if its corners have equal coordinates.
+/// an edge if its corners have equal coordinates. The rule is that of `detail::SurfaceContacts`.
+///
+/// With Facing::both, a triangle may push to either side. A shape that is deep in the surface, or
+/// a hull or triangle that stands in it on a tip, may be pushed out at the back.
 ///
 /// With Facing::front, every normal points to the front of its triangle, so a shape partly behind
 /// it is pushed out in front. Height fields always have this facing, with the front above. A shape
 /// that touches no triangle has no contact, on either side.
 ///
-/// exact:  as for `contact` of the triangle and the shape; inner edges are detected with the
-///         rounded normal and a tolerance of 4 ULP
-///         (tests/scene/mesh_contact.test.cpp)
+/// exact:  each contact as for `contact` of the triangle and the shape; which triangles have one is
+///         decided exactly for the rounded normals and a tolerance of 4 ULP, within which a normal
+///         at an inner edge may differ from the triangle's   (tests/scene/inner_edges.test.cpp)
 template <template <class> class Surface, Scalar S, MeetsTriangles<S> Shape>
 requires is_surface<Surface>
 constexpr std::size_t contacts(const Surface<S>& surface, const Shape& shape,

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/inner_edges.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "oracle/cores.hpp"
+
+// The rule of `contacts` (detent/scene/mesh/contact.hpp) for every triangle against every other:
+// no search, and heights are measured from the origin.
+namespace detent::oracle {
+namespace {
+
+Vector<3> normal_of(const Face<3>& face) {
+  const auto& [a, b, c] = face.corners;
+  return cross(difference(b, a), difference(c, a));
+}
+
+Vector<3> unit_of(const Vector<3>& v, const Integer& one) {
+  return {unit_component<3>(v, 0, one), unit_component<3>(v, 1, one), unit_component<3>(v, 2, one)};
+}
+
+/// The points within a radius of a hull.
+struct Round {
+  Hull<3> hull;
+  Integer radius;
+};
+Round round_of(const Solid<3>& shape) {
+  return std::visit(
+      [](const auto& solid) -> Round {
+        if constexpr (requires { hull_of(core(solid)); }) {
+          return {hull_of(core(solid)), radius(solid)};
+        } else {
+          return {};
+        }
+      },
+      shape);
+}
+
+/// How deep the hull is below the plane across v, times the length of v.
+Moment sunken(const Vector<3>& v, const Vector<3>& point, const Hull<3>& hull) {
+  Integer lowest = dot(v, hull.over.front());
+  for (const auto& corner : hull.over) lowest = std::min(lowest, dot(v, corner));
+  return {dot(v, point) * hull.under - lowest, hull.under};
+}
+
+/// Whether a plane across an axis separates a shape with points from a face; saves time.
+bool are_clearly_apart(const Face<3>& face, const Round& shape) {
+  for (const std::size_t axis : {0u, 1u, 2u}) {
+    for (const int side : {-1, 1}) {
+      Vector<3> v{};
+      v[axis] = side;
+      bool is_above = true;
+      for (const auto& corner : face.corners) {
+        const auto depth = sunken(v, corner, shape.hull);
+        is_above = is_above && depth.over + shape.radius * depth.under < 0;
+      }
+      if (is_above) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether k is at least `t` divided by the root of `square`.
+bool is_at_least(const Integer& k, const Moment& t, const Integer& square) {
+  const Integer left = k * k * square * t.under * t.under, right = t.over * t.over;
+  if (k < 0) return t.over < 0 && left <= right;
+  return t.over <= 0 || left >= right;
+}
+
+Integer lift_above(const Vector<3>& v, const Vector<3>& point, const Round& shape) {
+  const auto depth = sunken(v, point, shape.hull);
+  const Integer square = dot(v, v);
+  Integer k = sqrt(Integer(depth.over * depth.over / (square * depth.under * depth.under)));
+  if (depth.over < 0) k = -k - 1;
+  while (!is_at_least(k, depth, square)) ++k;
+  return k + shape.radius;
+}
+
+/// Whether `other` has every corner of `face` that is highest along n, and a higher one. Heights
+/// that differ by up to four raw units count as equal.
+bool rises_over(const Face<3>& face, const Face<3>& other, const Vector<3>& n, const Integer& one) {
+  const auto height_of = [&](const Face<3>& f) {
+    return std::max({dot(n, f.corners[0]), dot(n, f.corners[1]), dot(n, f.corners[2])});
+  };
+  const Integer top = height_of(face), slack = 4 * one;
+  if (height_of(other) <= top + slack) return false;
+  for (const auto& corner : face.corners) {
+    const bool is_shared = std::count(other.corners.begin(), other.corners.end(), corner) > 0;
+    if (!is_shared && dot(n, corner) >= top - slack) return false;
+  }
+  return true;
+}
+
+class Surface {
+ public:
+  Surface(const std::vector<Face<3>>& triangles, const Solid<3>& shape, bool has_front,
+          const Integer& one)
+      : triangles_(triangles),
+        shape_(shape),
+        round_(round_of(shape)),
+        has_front_(has_front),
+        one_(one) {
+    for (const auto& triangle : triangles) parts_.push_back(part_of(triangle));
+    for (std::size_t i = 0; i < parts_.size(); ++i) find_risers(i);
+  }
+
+  std::vector<TriangleContact> contacts() const {
+    const auto result = contacts(false);
+    const bool is_found = std::any_of(result.begin(), result.end(),
+                                      [](const auto& each) { return each.push.has_value(); });
+    return is_found ? result : contacts(true);
+  }
+
+ private:
+  using Kind = TriangleContact::Kind;
+
+  struct Part {
+    Vector<3> across;             // perpendicular to the triangle, to its front
+    std::optional<Push<3>> push;  // nothing if the shape does not touch it
+    Vector<3> n;                  // the rounded normal of `push`
+    bool is_valid = false;
+    std::vector<std::size_t> risers;
+  };
+
+  Part part_of(const Face<3>& triangle) const {
+    Part part{normal_of(triangle), {}, {}, false, {}};
+    if (round_.hull.over.empty() || are_clearly_apart(triangle, round_)) return part;
+    part.push = least_push(Solid<3>(triangle), shape_);
+    if (part.push) part.n = unit_of(part.push->normal, one_);
+    return part;
+  }
+
+  void find_risers(std::size_t i) {
+    auto& part = parts_[i];
+    if (!part.push) return;
+    for (std::size_t j = 0; j < parts_.size(); ++j) {
+      if (is_zero(parts_[j].across)) continue;
+      if (rises_over(triangles_[i], triangles_[j], part.n, one_)) part.risers.push_back(j);
+    }
+    part.is_valid = is_valid(part);
+  }
+
+  bool is_valid(const Part& part) const {
+    if (is_zero(part.across)) return true;
+    const auto front = unit_of(part.across, one_);
+    if (part.n == front || (!has_front_ && part.n == negated(front))) return true;
+    return part.risers.empty() && !(has_front_ && dot(part.n, part.across) <= 0);
+  }
+
+  /// The push out of the plane of triangle i, to its front or to the side of `n`.
+  Push<3> face_push(std::size_t i, const Vector<3>& n) const {
+    const auto& across = parts_[i].across;
+    const auto& corner = triangles_[i].corners[0];
+    const auto back = negated(across);
+    Integer side = dot(n, across);
+    if (side == 0 && sunken(back, corner, round_.hull) < sunken(across, corner, round_.hull))
+      side = -1;
+    const auto& normal = side < 0 && !has_front_ ? back : across;
+    return {normal, lift_above(normal, corner, round_)};
+  }
+
+  std::vector<TriangleContact> contacts(bool by_own_side) const {
+    std::vector<TriangleContact> result;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const auto& part = parts_[i];
+      if (!part.push) {
+        result.push_back({});
+      } else if (part.is_valid) {
+        result.push_back({Kind::least, part.push});
+      } else {
+        const auto own = face_push(i, part.n);
+        const bool is_deferred =
+            std::any_of(part.risers.begin(), part.risers.end(), [&](std::size_t j) {
+              const auto& other = parts_[j];
+              if (!other.push) return false;
+              const auto others = face_push(j, by_own_side ? other.n : part.n);
+              return other.is_valid || std::pair(others.depth, j) < std::pair(own.depth, i);
+            });
+        if (is_deferred) {
+          result.push_back({Kind::deferred, {}});
+        } else {
+          result.push_back({Kind::face, own});
+        }
+      }
+    }
+    return result;
+  }
+
+  const std::vector<Face<3>>& triangles_;
+  const Solid<3>& shape_;
+  Round round_;
+  bool has_front_;
+  Integer one_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace
+
+std::vector<TriangleContact> surface_contacts(const std::vector<Face<3>>& triangles,
+                                              const Solid<3>& shape, bool has_front,
+                                              const Integer& one) {
+  return Surface(triangles, shape, has_front, one).contacts();
+}
+
+Integer lift_above(const Vector<3>& normal, const Vector<3>& point, const Solid<3>& shape) {
+  return lift_above(normal, point, round_of(shape));
+}
+
+}  // namespace detent::oracle
