@@ -107,10 +107,29 @@ class Surface {
   }
 
   std::vector<TriangleContact> contacts() const {
-    const auto result = contacts(false);
-    const bool is_found = std::any_of(result.begin(), result.end(),
-                                      [](const auto& each) { return each.push.has_value(); });
-    return is_found ? result : contacts(true);
+    std::vector<TriangleContact> result;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const auto& part = parts_[i];
+      if (!part.push) {
+        result.push_back({});
+      } else if (part.is_valid) {
+        result.push_back({Kind::least, part.push});
+      } else {
+        const auto own = face_push(i);
+        const bool is_deferred =
+            std::any_of(part.risers.begin(), part.risers.end(), [&](std::size_t j) {
+              const auto& other = parts_[j];
+              if (!other.push) return false;
+              return other.is_valid || std::pair(face_push(j).depth, j) < std::pair(own.depth, i);
+            });
+        if (is_deferred) {
+          result.push_back({Kind::deferred, {}});
+        } else {
+          result.push_back({Kind::face, own});
+        }
+      }
+    }
+    return result;
   }
 
  private:
@@ -149,43 +168,15 @@ class Surface {
     return part.risers.empty() && !(has_front_ && dot(part.n, part.across) <= 0);
   }
 
-  /// The push out of the plane of triangle i, to its front or to the side of `n`.
-  Push<3> face_push(std::size_t i, const Vector<3>& n) const {
-    const auto& across = parts_[i].across;
+  /// The push out of the plane of triangle i, to its front or to the nearer side.
+  Push<3> face_push(std::size_t i) const {
+    const auto& front = parts_[i].across;
     const auto& corner = triangles_[i].corners[0];
-    const auto back = negated(across);
-    Integer side = dot(n, across);
-    if (side == 0 && sunken(back, corner, round_.hull) < sunken(across, corner, round_.hull))
-      side = -1;
-    const auto& normal = side < 0 && !has_front_ ? back : across;
+    const auto back = negated(front);
+    const bool is_back_nearer =
+        !has_front_ && sunken(back, corner, round_.hull) < sunken(front, corner, round_.hull);
+    const auto& normal = is_back_nearer ? back : front;
     return {normal, lift_above(normal, corner, round_)};
-  }
-
-  std::vector<TriangleContact> contacts(bool by_own_side) const {
-    std::vector<TriangleContact> result;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      const auto& part = parts_[i];
-      if (!part.push) {
-        result.push_back({});
-      } else if (part.is_valid) {
-        result.push_back({Kind::least, part.push});
-      } else {
-        const auto own = face_push(i, part.n);
-        const bool is_deferred =
-            std::any_of(part.risers.begin(), part.risers.end(), [&](std::size_t j) {
-              const auto& other = parts_[j];
-              if (!other.push) return false;
-              const auto others = face_push(j, by_own_side ? other.n : part.n);
-              return other.is_valid || std::pair(others.depth, j) < std::pair(own.depth, i);
-            });
-        if (is_deferred) {
-          result.push_back({Kind::deferred, {}});
-        } else {
-          result.push_back({Kind::face, own});
-        }
-      }
-    }
-    return result;
   }
 
   const std::vector<Face<3>>& triangles_;

@@ -45,11 +45,10 @@ struct FacePush {
 /// Facing::front, n must also point to the front of T. If n is valid, T has that contact.
 ///
 /// Otherwise the shape leaves T along T's own normal, out of its plane: to the front or, with two
-/// sides, to the side of n; to the nearer one if n is in the plane. T defers, and has no contact,
+/// sides, to the nearer one, to the front if both are equally near. T defers, and has no contact,
 /// if the shape touches a triangle U that rises at T and whose contact has a valid normal or whose
-/// plane is nearer: the translation out of it, on the side of T's n, has a lesser depth, rounded
-/// up. (Of equally near ones the first counts, so one of the triangles that defer to each other
-/// remains.)
+/// plane is nearer: the translation out of it has a lesser depth, rounded up. Of equally near ones
+/// the first counts, so one of the triangles that defer to each other remains.
 template <class Surface, class Shape, Scalar S>
 class SurfaceContacts {
  public:
@@ -58,23 +57,11 @@ class SurfaceContacts {
 
   template <class Found>
   constexpr void visit(const Found& found) const noexcept {
-    bool touches = false, is_found = false;
-    const auto visit_all = [&](bool by_own_side) {
-      visit_near(bounding_box(shape_), [&](const MeshTriangle<S>& part) {
-        const auto free = contact(part.triangle, shape_);
-        if (!free) return;
-        touches = true;
-        const auto here = contact_with(part, *free, by_own_side);
-        if (!here) return;
-        is_found = true;
-        found(MeshContact<S>{*here, part.index});
-      });
-    };
-    visit_all(false);
-    // If triangles have two sides, all may have deferred to each other: each measured the depths of
-    // the others on the side of its own n. If all measure U's on the side of U's n, the nearest
-    // defers to none.
-    if (touches && !is_found) visit_all(true);
+    visit_near(bounding_box(shape_), [&](const MeshTriangle<S>& part) {
+      const auto free = contact(part.triangle, shape_);
+      if (!free) return;
+      if (const auto here = contact_with(part, *free)) found(MeshContact<S>{*here, part.index});
+    });
   }
 
  private:
@@ -86,25 +73,22 @@ class SurfaceContacts {
     });
   }
 
-  /// The contact of a triangle, whose least translation is `free`. Faces of others are measured on
-  /// the side of `free` or, if `by_own_side`, on that of their own least translations.
+  /// The contact of a triangle, whose least translation is `free`.
   [[nodiscard]] constexpr std::optional<Contact<S, 3>> contact_with(
-      const MeshTriangle<S>& part, const Contact<S, 3>& free, bool by_own_side) const noexcept {
+      const MeshTriangle<S>& part, const Contact<S, 3>& free) const noexcept {
     const auto& triangle = part.triangle;
     if (is_zero(normal_of(triangle)) || is_right(part, free.normal)) return free;
-    const auto face = face_push(triangle, free.normal);
+    const auto face = face_push(triangle);
     bool gives_way = false;
     visit_risers(part, free.normal, [&](const MeshTriangle<S>& other) {
       if (gives_way) return;
       const auto others = contact(other.triangle, shape_);
       if (!others) return;
-      const auto depth =
-          face_push(other.triangle, by_own_side ? others->normal : free.normal).depth;
-      gives_way =
-          is_right(other, others->normal) ||
-          (depth >= 0 && (depth < face.depth || (depth == face.depth && other.index < part.index)));
+      const auto depth = face_push(other.triangle).depth;
+      gives_way = is_right(other, others->normal) || depth < face.depth ||
+                  (depth == face.depth && other.index < part.index);
     });
-    if (gives_way || face.depth < 0) return std::nullopt;
+    if (gives_way) return std::nullopt;
     return along_face(triangle, face);
   }
 
@@ -166,9 +150,8 @@ class SurfaceContacts {
   }
 
   /// The translation that pushes the shape out of the plane of a triangle: to the front or, if it
-  /// has two sides, to the side of `along`; to the nearer one if `along` is in the plane.
-  [[nodiscard]] constexpr auto face_push(const Triangle<S, 3>& triangle,
-                                         const Direction<S, 3>& along) const noexcept {
+  /// has two sides, to the nearer one.
+  [[nodiscard]] constexpr auto face_push(const Triangle<S, 3>& triangle) const noexcept {
     auto normal = normal_of(triangle);
     const auto corners = corners_of(core_of(shape_));
     const auto body = body_of_corners(corners);
@@ -180,8 +163,7 @@ class SurfaceContacts {
     if (facing_ == Facing::both) {
       const auto back = narrow_negative(normal);
       const auto behind = height_along(back);
-      const auto side = dot(along, normal);
-      if (side < 0 || (side == 0 && behind < height)) {
+      if (behind < height) {
         normal = back;
         height = behind;
       }
@@ -244,8 +226,8 @@ constexpr void insert_contact(std::span<MeshContact<S>> out, std::size_t count,
 /// plane only meets the plane's normal, and in a valley only those of both sides. Triangles share
 /// an edge if its corners have equal coordinates. The rule is that of `detail::SurfaceContacts`.
 ///
-/// With Facing::both, a triangle may push to either side. A shape that is deep in the surface, or
-/// a hull or triangle that stands in it on a tip, may be pushed out at the back.
+/// With Facing::both, a triangle may push to either side. A shape that is deep in the surface may be
+/// pushed out at the back.
 ///
 /// With Facing::front, every normal points to the front of its triangle, so a shape partly behind
 /// it is pushed out in front. Height fields always have this facing, with the front above. A shape
