@@ -41,8 +41,8 @@ template <Scalar S, int N>
   }
   return corners;
 }
-/// An oriented box is the one that its edges span. With b bits, a component is at least -4 * 2^b and
-/// below 4 * 2^b, because that of the center is below 2^b.
+/// An oriented box is the one that its edges span. With b bits, a component is at least -4 * 2^b
+/// and below 4 * 2^b, because that of the center is below 2^b.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto local_corners(const Obb<S, N>& box) noexcept {
   using Component = direction_component<S>;
