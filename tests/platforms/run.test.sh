@@ -127,6 +127,12 @@ says '^constant .* compiles$'
 says ': 3 equal, 0 different, 0 did not run, 0 not installed, 1 compiled only;'
 says 'float: 3 builds, 2 different digests; they first differ at second \(right against small\)\.'
 
+run 0 --no-install --only Far parts
+says '^parts .* equal$'
+[[ $(wc -l <build/platforms/parts/lines) -eq 2 ]] || complain 'run --only Far runs more'
+run 1 --no-install --only Far,Nowhere parts
+says '^parts .* has no such programs: Far,Nowhere$'
+
 run 1 --no-install
 says '^admitted .* DIFFERENT at second \(q8_8 3D\)$'
 says '^denied .* DIFFERENT at second$'
