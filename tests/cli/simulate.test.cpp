@@ -223,7 +223,7 @@ TEST_CASE("detent simulate: the animation shows the pictures") {
   for (const std::string world : {"flat.json", "pyramid.json"}) {
     INFO(world);
     const auto result =
-        shop.run("simulate " + world + " --ticks 40 --picture-every 8 --size 96x64 --frames " +
+        shop.run("simulate " + world + " --ticks 40 --picture-every 8 --size 192x128 --frames " +
                  world + "-pictures --animation film.png --every 40");
     CHECK(result.code == 0);
     CHECK(result.err.empty());
@@ -232,8 +232,8 @@ TEST_CASE("detent simulate: the animation shows the pictures") {
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const auto name = world + "-pictures/frame-0000" + std::to_string(i) + ".png";
       const auto picture = decoded(content_of(shop.path(name)));
-      CHECK(picture.width == 96);
-      CHECK(picture.height == 64);
+      CHECK(picture.width == 192);
+      CHECK(picture.height == 128);
       CHECK(picture.bytes == frames[i].bytes);
       if (i > 0) CHECK(picture.bytes != frames[i - 1].bytes);
     }
