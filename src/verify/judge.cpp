@@ -14,10 +14,6 @@ const Real& two_pi() {
   return value;
 }
 
-Integer nearest_quotient(const Integer& over, const Integer& under) {
-  const auto t = oracle::Moment::fraction(over, under);
-  return oracle::nearest_quotient(t.over, t.under);
-}
 Integer nearest(const Real& x) {
   return oracle::long_integer(floor(x + Real(0.5)).convert_to<boost::multiprecision::cpp_int>());
 }
@@ -42,7 +38,7 @@ std::optional<Integer> meaning(const std::string& text, int frac) {
       (parts[4].length() > 0 ? std::stoi(parts[4]) : 0) - static_cast<int>(fraction.size());
   for (int i = 0; i < exponent; ++i) over *= 10;
   for (int i = 0; i > exponent; --i) under *= 10;
-  const Integer rounded = judge::nearest_quotient(scaled(over, frac), under);
+  const Integer rounded = nearest_quotient(scaled(over, frac), under);
   return parts[1] == "-" ? Integer(-rounded) : rounded;
 }
 

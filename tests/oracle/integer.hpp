@@ -99,8 +99,9 @@ inline Integer floor_quotient(const Integer& over, const Integer& under) {
 
 inline Integer floor(const Moment& t) { return floor_quotient(t.over, t.under); }
 
-/// `over / under` rounded to the nearest integer, ties to even, for under > 0.
+/// `over / under` rounded to the nearest integer, ties to even, for under != 0.
 inline Integer nearest_quotient(const Integer& over, const Integer& under) {
+  if (under.sign() < 0) return nearest_quotient(-over, -under);
   const Integer down = floor_quotient(over, under);
   const Integer twice_rest = 2 * (over - down * under);
   const bool odd = (down % 2) != 0;

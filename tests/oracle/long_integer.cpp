@@ -2,12 +2,12 @@
 #include "oracle/long_integer.hpp"
 
 #include <memory>
-#include <new>
 #include <ostream>
 #include <type_traits>
 #include <utility>
 
 #include "oracle/boost_integer.hpp"
+#include "oracle/hidden_number.hpp"
 
 namespace detent::oracle {
 
@@ -19,39 +19,23 @@ using Number = boost::multiprecision::number<
 static_assert(std::is_nothrow_move_constructible_v<Number> &&
               std::is_nothrow_move_assignable_v<Number>);
 
-struct LongIntegerNumber {
-  static_assert(sizeof(Number) <= sizeof(LongInteger::number_) &&
-                alignof(Number) <= alignof(LongInteger));
-
-  static Number& of(LongInteger& x) {
-    return *std::launder(reinterpret_cast<Number*>(x.number_.data()));
-  }
-  static const Number& of(const LongInteger& x) {
-    return *std::launder(reinterpret_cast<const Number*>(x.number_.data()));
-  }
-  template <class... Value>
-  static void make(LongInteger& x, Value&&... value) {
-    ::new (x.number_.data()) Number(std::forward<Value>(value)...);
-  }
-};
+using Hidden = HiddenNumber<LongInteger, Number>;
 
 namespace {
 
 template <class Integer>
 auto& number(Integer& x) {
-  return LongIntegerNumber::of(x);
+  return Hidden::of(x);
 }
 
 }  // namespace
 
-LongInteger::LongInteger(Signed value) noexcept { LongIntegerNumber::make(*this, value.value); }
-LongInteger::LongInteger(Unsigned value) noexcept { LongIntegerNumber::make(*this, value.value); }
-LongInteger::LongInteger(const char* digits) { LongIntegerNumber::make(*this, digits); }
-LongInteger::LongInteger(const LongInteger& other) {
-  LongIntegerNumber::make(*this, number(other));
-}
+LongInteger::LongInteger(Signed value) noexcept { Hidden::make(*this, value.value); }
+LongInteger::LongInteger(Unsigned value) noexcept { Hidden::make(*this, value.value); }
+LongInteger::LongInteger(const char* digits) { Hidden::make(*this, digits); }
+LongInteger::LongInteger(const LongInteger& other) { Hidden::make(*this, number(other)); }
 LongInteger::LongInteger(LongInteger&& other) noexcept {
-  LongIntegerNumber::make(*this, std::move(number(other)));
+  Hidden::make(*this, std::move(number(other)));
 }
 LongInteger::~LongInteger() { std::destroy_at(&number(*this)); }
 LongInteger& LongInteger::operator=(const LongInteger& other) {

@@ -80,7 +80,8 @@ class LongInteger {
   explicit LongInteger(Signed value) noexcept;
   explicit LongInteger(Unsigned value) noexcept;
 
-  friend struct LongIntegerNumber;
+  template <class Owner, class Number>
+  friend struct HiddenNumber;
   alignas(16) std::array<std::byte, 80> number_;
 };
 

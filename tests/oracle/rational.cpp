@@ -2,11 +2,11 @@
 #include "oracle/rational.hpp"
 
 #include <memory>
-#include <new>
 #include <type_traits>
 #include <utility>
 
 #include "oracle/boost_integer.hpp"
+#include "oracle/hidden_number.hpp"
 
 namespace detent::oracle {
 
@@ -14,36 +14,20 @@ using Number = boost::multiprecision::number<
     boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
     boost::multiprecision::et_off>;
 
-struct RationalNumber {
-  static_assert(sizeof(Number) <= sizeof(Rational::number_) &&
-                alignof(Number) <= alignof(Rational));
-
-  static Number& of(Rational& x) {
-    return *std::launder(reinterpret_cast<Number*>(x.number_.data()));
-  }
-  static const Number& of(const Rational& x) {
-    return *std::launder(reinterpret_cast<const Number*>(x.number_.data()));
-  }
-  template <class Value>
-  static void make(Rational& x, Value&& value) {
-    ::new (x.number_.data()) Number(std::forward<Value>(value));
-  }
-};
+using Hidden = HiddenNumber<Rational, Number>;
 
 namespace {
 
 template <class Fraction>
 auto& number(Fraction& x) {
-  return RationalNumber::of(x);
+  return Hidden::of(x);
 }
 
 }  // namespace
 
-Rational::Rational(const LongInteger& value) { RationalNumber::make(*this, boost_integer(value)); }
-Rational::Rational(const Rational& other) { RationalNumber::make(*this, number(other)); }
-Rational::Rational(Rational&& other) noexcept {
-  RationalNumber::make(*this, std::move(number(other)));
-}
+Rational::Rational(const LongInteger& value) { Hidden::make(*this, boost_integer(value)); }
+Rational::Rational(const Rational& other) { Hidden::make(*this, number(other)); }
+Rational::Rational(Rational&& other) noexcept { Hidden::make(*this, std::move(number(other))); }
 Rational::~Rational() { std::destroy_at(&number(*this)); }
 Rational& Rational::operator=(const Rational& other) {
   number(*this) = number(other);

@@ -45,7 +45,8 @@ class Rational {
   friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
 
  private:
-  friend struct RationalNumber;
+  template <class Owner, class Number>
+  friend struct HiddenNumber;
   alignas(16) std::array<std::byte, 64> number_;
 };
 

@@ -33,7 +33,7 @@ enum class Pass : std::uint8_t { biased, relaxed };
 ///
 /// The order rotates from pass to pass. The points of a contact disturb each other, so in a fixed
 /// order the same corners of boxes would always carry more and tip stacks: the top of 20 boxes
-/// would drift by 0.02 instead of 0.0002.                       (tests/dynamics/hold.test.cpp)
+/// would drift by 0.02 instead of 0.0001.                       (tests/dynamics/hold.test.cpp)
 template <Pass P, std::size_t Capacity>
 [[nodiscard]] constexpr std::size_t nth_point(std::size_t k, std::size_t substep) noexcept {
   return (k + substep + (P == Pass::relaxed ? Capacity / 2 : 0)) % Capacity;

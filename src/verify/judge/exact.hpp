@@ -16,6 +16,7 @@
 namespace detent::verify::judge {
 
 using oracle::Integer;
+using oracle::nearest_quotient;
 using Real = boost::multiprecision::cpp_bin_float_100;
 
 struct Wrong {
@@ -66,9 +67,6 @@ Vec<T, static_cast<int>(N)> clamped(const std::array<Integer, N>& raw) {
 inline Integer scaled(const Integer& x, int bits) {
   return x * (Integer(1) << static_cast<unsigned>(bits));
 }
-
-/// over / under rounded to the nearest integer, ties to even; the denominator may have either sign.
-Integer nearest_quotient(const Integer& over, const Integer& under);
 
 /// The nearest integer to a number that is not a tie.
 Integer nearest(const Real& x);

@@ -48,7 +48,7 @@ std::optional<Wrong> judge(const MatrixCase<S, N>& c, const Answer& got) {
         auto replaced = m;
         for (std::size_t k = 0; k < N; ++k) replaced[k][i] = k == j ? 1 : 0;
         expected(static_cast<int>(i), static_cast<int>(j)) =
-            clamped<S>(judge::nearest_quotient(scaled(expansion<N>(replaced), 2 * S::frac), whole));
+            clamped<S>(nearest_quotient(scaled(expansion<N>(replaced), 2 * S::frac), whole));
       }
     }
     return compare(Answer(expected), got);
@@ -136,8 +136,7 @@ std::optional<Wrong> judge(const BlendCase<S, N>& c, const Answer& got) {
     const Integer norm = oracle::dot(p, p);
     Answer expected;
     for (int i = 0; i < 3; ++i) {
-      expected[i] =
-          clamped<S>(judge::nearest_quotient(turned[static_cast<std::size_t>(i) + 1], norm));
+      expected[i] = clamped<S>(nearest_quotient(turned[static_cast<std::size_t>(i) + 1], norm));
     }
     return compare(expected, got);
   }
@@ -165,7 +164,7 @@ std::optional<Wrong> judge(const MotionCase<S, N>& c, const Answer& got) {
     } else if (scale == 0) {
       expected[i] = sum > 0 ? S::max() : sum < 0 ? S::lowest() : S();
     } else {
-      expected[i] = clamped<S>(judge::nearest_quotient(scaled(sum, S::frac), scaled(scale, frac)));
+      expected[i] = clamped<S>(nearest_quotient(scaled(sum, S::frac), scaled(scale, frac)));
     }
   }
   return compare(expected, got);
@@ -197,8 +196,8 @@ std::optional<Wrong> judge(const CameraCase<S, N>& c, const Answer& got) {
     }
     if (h[N] == 0) return compare(Answer(), got);
     return compare(Answer(make_vec<N>([&](int i) {
-                     return clamped<S>(judge::nearest_quotient(
-                         scaled(h[static_cast<std::size_t>(i)], S::frac), h[N]));
+                     return clamped<S>(
+                         nearest_quotient(scaled(h[static_cast<std::size_t>(i)], S::frac), h[N]));
                    })),
                    got);
   }
@@ -223,8 +222,8 @@ std::optional<Wrong> judge(const LensCase<S, N>& c, const Answer& got) {
     if (distance <= rotation_margin()) expected(i, i) = (*got)(i, i);
   }
   const Integer under = near_raw - far_raw;
-  expected(2, 2) = clamped<S>(judge::nearest_quotient(scaled(far_raw, S::frac), under));
-  expected(2, 3) = clamped<S>(judge::nearest_quotient(near_raw * far_raw, under));
+  expected(2, 2) = clamped<S>(nearest_quotient(scaled(far_raw, S::frac), under));
+  expected(2, 3) = clamped<S>(nearest_quotient(near_raw * far_raw, under));
   expected(3, 2) = clamped<S>(scaled(-1, S::frac));
   return compare(Answer(expected), got);
 }
@@ -242,12 +241,12 @@ std::optional<Wrong> judge(const VectorsCase<S, N>& c, const Answer& got) {
     for (int i = 0; i < N; ++i) {
       const Integer a = u[static_cast<std::size_t>(i)], b = v[static_cast<std::size_t>(i)];
       if constexpr (Row == 1) {
-        expected[i] = vv == 0 ? S() : clamped<S>(judge::nearest_quotient(uv * b, vv));
+        expected[i] = vv == 0 ? S() : clamped<S>(nearest_quotient(uv * b, vv));
       } else if constexpr (Row == 2) {
         const auto n = oracle::widen(raw_of(c.normal.vec()));
         const Integer nn = oracle::dot(n, n), off = 2 * oracle::dot(u, n);
         expected[i] =
-            clamped<S>(judge::nearest_quotient(nn * a - off * n[static_cast<std::size_t>(i)], nn));
+            clamped<S>(nearest_quotient(nn * a - off * n[static_cast<std::size_t>(i)], nn));
       } else {
         const Integer way = (b - a) * oracle::raw(c.t);
         expected[i] = clamped<S>(oracle::nearest_even(scaled(a, S::frac) + way, S::frac));

@@ -29,9 +29,9 @@ std::optional<Wrong> judge(const QuotientCase<S, N>& c, const Answer& got) {
     return compare(over > 0 ? S::max() : over < 0 ? S::lowest() : S(), got);
   }
   const auto t = oracle::Moment::fraction(over, under);
-  return compare(clamped<S>(Row < 2 ? oracle::floor_quotient(t.over, t.under)
-                                    : judge::nearest_quotient(over, under)),
-                 got);
+  return compare(
+      clamped<S>(Row < 2 ? oracle::floor_quotient(t.over, t.under) : nearest_quotient(over, under)),
+      got);
 }
 
 /// The value of a decimal text, times 2^frac and rounded; nothing for malformed text.

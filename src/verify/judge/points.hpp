@@ -29,7 +29,7 @@ oracle::Vector<N> nearest_point(const std::optional<oracle::Nearest<N>>& truth,
   oracle::Vector<N> v, result;
   for (std::size_t i = 0; i < v.size(); ++i) v[i] = p[i] * core.under - core.over[i];
   for (std::size_t i = 0; i < v.size(); ++i) {
-    result[i] = truth->radius.is_zero() ? oracle::nearest_quotient(core.over[i], core.under)
+    result[i] = truth->radius.is_zero() ? nearest_quotient(core.over[i], core.under)
                                         : nearest_on_surface<N>(*truth, v, i);
   }
   return result;
@@ -58,7 +58,7 @@ std::optional<oracle::Vector<3>> weights(const Triangle<S, N>& triangle, const V
   if (total.is_zero()) return std::nullopt;
   const Integer of_b = vv * uw - uv * vw, of_c = uu * vw - uv * uw;
   const auto rounded = [&](const Integer& weight) {
-    return oracle::nearest_quotient(scaled(weight, frac), total);
+    return nearest_quotient(scaled(weight, frac), total);
   };
   return oracle::Vector<3>{rounded(total - of_b - of_c), rounded(of_b), rounded(of_c)};
 }

@@ -77,13 +77,13 @@ std::optional<Wrong> judge(const AngleCase<S, 1>& c, const Answer& got) {
     return compare(clamped<S>(nearest(cos(radians(c.angle)) * steps(frac))), got);
   } else if constexpr (Row == 2) {
     const Integer units = signed_units(c.angle);
-    return compare(clamped<S>(judge::nearest_quotient(scaled(units * 360, frac), whole_turn)), got);
+    return compare(clamped<S>(nearest_quotient(scaled(units * 360, frac), whole_turn)), got);
   } else if constexpr (Row == 3) {
     const Real turns = Real(signed_units(c.angle)) / steps(32);
     return compare(clamped<S>(nearest(turns * two_pi() * steps(frac))), got);
   } else if constexpr (Row == 4) {
     const Integer degree = scaled(360, frac);
-    return compare(wrapped(judge::nearest_quotient(number * whole_turn, degree)), got);
+    return compare(wrapped(nearest_quotient(number * whole_turn, degree)), got);
   } else {
     return compare(wrapped(nearest(real(c.number) / two_pi() * steps(32))), got);
   }
@@ -134,8 +134,8 @@ std::optional<Wrong> judge(const QuaternionCase<S, N>& c, const Answer& got) {
   std::array<Vec<Component, 3>, 3> expected;
   for (std::size_t k = 0; k < 3; ++k) {
     for (int i = 0; i < 3; ++i) {
-      expected[k][i] = clamped<Component>(judge::nearest_quotient(
-          scaled(columns[k][static_cast<std::size_t>(i)], Component::frac), norm));
+      expected[k][i] = clamped<Component>(
+          nearest_quotient(scaled(columns[k][static_cast<std::size_t>(i)], Component::frac), norm));
     }
     right = right && (*got)[k].vec() == expected[k];
   }

@@ -53,7 +53,7 @@ Vec<S, 3> orbit_position(const OrbitCase<S, 3>& c, const std::array<oracle::Vect
 template <Scalar S>
 std::optional<Wrong> judge_orbit(const OrbitCase<S, 3>& c, const Transform<S, 3>& got) {
   const auto steepest =
-      static_cast<std::int64_t>(judge::nearest_quotient((Integer(1) << 32u) * 11, Integer(45)));
+      static_cast<std::int64_t>(nearest_quotient((Integer(1) << 32u) * 11, Integer(45)));
   const auto pitch =
       std::clamp(signed_units(c.pitch) + signed_units(c.pitch_step), -steepest, steepest);
   const EulerCase<S, 3> angles{Angle<S>::from_raw(static_cast<std::uint32_t>(-pitch)),

@@ -18,8 +18,8 @@ std::optional<Wrong> judge(const CrossingCase<S, N>& c, const Answer& got) {
   for (std::size_t i = 0; i < N; ++i) {
     auto replaced = normals;
     for (std::size_t k = 0; k < N; ++k) replaced[k][i] = oracle::raw(c.planes[k].offset);
-    expected[static_cast<int>(i)] = clamped<S>(judge::nearest_quotient(
-        scaled(expansion<N>(replaced), direction_component<S>::frac), whole));
+    expected[static_cast<int>(i)] = clamped<S>(
+        nearest_quotient(scaled(expansion<N>(replaced), direction_component<S>::frac), whole));
   }
   return compare(Answer(expected), got);
 }

@@ -123,10 +123,9 @@ std::optional<Wrong> judge(const ViewCase<S, N>& c, const Answer& got) {
       const Integer half = scaled(view->slopes[i] * ahead, View<S>::axis_frac) +
                            scaled(view->extents[i] * whole * sign, View<S>::slope_frac);
       const int shift = S::frac + View<S>::slope_frac + View<S>::axis_frac;
-      return clamped<S>(judge::nearest_quotient(scaled(volume(from_eye, i) * sign, shift), half));
+      return clamped<S>(nearest_quotient(scaled(volume(from_eye, i) * sign, shift), half));
     };
-    const S far =
-        clamped<S>(judge::nearest_quotient(scaled(ahead, View<S>::axis_frac), whole * sign));
+    const S far = clamped<S>(nearest_quotient(scaled(ahead, View<S>::axis_frac), whole * sign));
     return compare(Answer(ScreenPoint<S, S>{across(0), across(1), far}), got);
   } else if constexpr (Row == 1) {
     return compare(Answer(view->point(x, y, depth)), got);
