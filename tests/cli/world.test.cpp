@@ -89,7 +89,7 @@ TEMPLATE_TEST_CASE("world: trees give the results of a loop over all shapes and 
   INFO(random);
   test::HitRate rate;
   int wrong = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < 20; ++round) {
     std::vector<typename cli::World<S>::Shape> shapes;
     std::vector<std::vector<Triangle<S, 3>>> meshes;
     const auto count = random.between(0, 60);

@@ -37,8 +37,8 @@ grep -qE "\*RES\*.*results_version $version\b" CHANGELOG.md ||
 if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
   while read -r commit; do
     while read -r line; do
-      grep -qxF -- "$line" "$table" || complain "$table had this line in $commit: $line"
-    done < <(git show "$commit:$table" 2>/dev/null | grep -v '^#')
+      complain "$table had this line in $commit: $line"
+    done < <(git show "$commit:$table" 2>/dev/null | grep -v '^#' | grep -vxF -f "$table")
   done < <(git log --format=%h -- "$table")
 fi
 

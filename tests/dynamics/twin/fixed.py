@@ -2,6 +2,7 @@
 """Numbers of docs/dynamics.md, "Notation": integers in steps of a format's grid, rounded to
 nearest."""
 from math import isqrt
+from operator import mul
 
 
 def round_div(n, d):
@@ -15,10 +16,7 @@ def round_shift(n, k):
     """n 2^-k to the nearest integer, ties to even."""
     if k <= 0:
         return n << -k
-    q = n >> k
-    r = n - (q << k)
-    h = 1 << (k - 1)
-    return q + (r > h or (r == h and q & 1))
+    return (n + (1 << (k - 1)) - 1 + (n >> k & 1)) >> k
 
 
 def root_nearest(n, d=1):
@@ -39,13 +37,8 @@ class Format:
     def near(self, n, f):
         """near(n 2^-f)"""
         k = f - self.f
-        if k > 0:
-            q = n >> k
-            r = n - (q << k)
-            h = 1 << (k - 1)
-            x = q + (r > h or (r == h and q & 1))
-        else:
-            x = n << -k
+        # as round_shift, which is inlined because nothing is called more often
+        x = (n + (1 << (k - 1)) - 1 + (n >> k & 1)) >> k if k > 0 else n << -k
         return self.low if x < self.low else self.high if x > self.high else x
 
     def quotient(self, n, d, f=0):
@@ -93,9 +86,9 @@ ONE = 1 << 30  # 1 in Ratio
 
 
 def dot(a, b):
-    if len(a) == 2:
-        return a[0] * b[0] + a[1] * b[1]
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    if len(a) == 3:
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    return sum(map(mul, a, b))
 
 
 def cross(a, b):
@@ -106,7 +99,7 @@ def cross(a, b):
 
 
 def squared(v):
-    return sum(x * x for x in v)
+    return dot(v, v)
 
 
 def unit(v, frac=30):

@@ -115,7 +115,7 @@ class Solved:
         self.Gb = [[f.gyration.near(self.beta * x, 96 - 2 * f.F) for x in row] for row in b.G]
 
         def out(body, v, kind, bits):
-            return [kind.near(sum(body.axes[i][c] * v[i] for i in range(n)), 30 + bits) for c in range(n)]
+            return [kind.near(dot(column, v), 30 + bits) for column in zip(*body.axes)]
         self.ra, self.rb = (out(body, p, reach, f.F) for body, p in zip((a, b), self.joint.anchors))
         self.d = [reach.clamp(y - x + s - r) for x, y, r, s in zip(a.x, b.x, self.ra, self.rb)]
         if self.joint.kind in TURNS:
@@ -220,8 +220,8 @@ class Solved:
         if row is None:
             return
         near = f.gyration.near
-        ya, yb = ([near(dot3(line, c), 96 - 2 * f.F) for line in G] for G in (self.Ga, self.Gb))
-        s = near(dot3(c, ya), 96 - 2 * f.F) + near(dot3(c, yb), 96 - 2 * f.F)
+        ya, yb = ([near(dot(line, c), 96 - 2 * f.F) for line in G] for G in (self.Ga, self.Gb))
+        s = near(dot(c, ya), 96 - 2 * f.F) + near(dot(c, yb), 96 - 2 * f.F)
         row.c, row.gap = c, gap
         row.sa = [TURN_SHARE.quotient(y, s) if s > 0 else 0 for y in ya]
         row.sb = [TURN_SHARE.quotient(y, s) if s > 0 else 0 for y in yb]
@@ -270,7 +270,7 @@ class Solved:
         f, joint, a, b = self.f, self.joint, self.a, self.b
         for i, row in enumerate(self.turns):
             if row:
-                v = f.spin.near(dot3(row.c, [y - x for x, y in zip(a.w, b.w)]), 58)
+                v = f.spin.near(dot(row.c, [y - x for x, y in zip(a.w, b.w)]), 58)
                 joint.turn[i], p = self.next(row, ONE, v, joint.turn[i], TURN, f.spin, biased)
                 self.apply_turn(row, p)
         for i, row in enumerate(self.pushes):
@@ -284,7 +284,3 @@ class Solved:
                 if row:
                     load = [f.length.clamp(x + f.length.near(u * P, f.F + 42)) for x, u in zip(load, row.u)]
             self.broken |= squared(load) > self.strength ** 2
-
-
-def dot3(a, b):
-    return sum(x * y for x, y in zip(a, b))

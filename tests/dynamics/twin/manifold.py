@@ -18,8 +18,7 @@ def rounded(v, shift, kind=LEVER):
 
 def combine(p, r):
     """p_0 r_0 + p_1 r_1 (+ p_2 r_2), times 2^30."""
-    n = len(r)
-    return [sum(p[j] * r[j][i] for j in range(n)) for i in range(n)]
+    return [dot(p, column) for column in zip(*r)]
 
 
 def placed(t, p, r, kind=LEVER):

@@ -82,7 +82,7 @@ class Solver:
             if body.can_move:
                 gone = [x if no else 0 for x, no in zip(push, body.locked_v)]
                 push[:] = [x - y for x, y in zip(push, gone)]
-                lost += self.f.give.near(sum(x * y for x, y in zip(gone, row.u)), 60)
+                lost += self.f.give.near(dot(gone, row.u), 60)
         return lost
 
     def moment(self, body, r, u):
@@ -94,10 +94,10 @@ class Solver:
     def respond(self, row, lost=0):
         f = self.f
         shift = 66 - 2 * f.F + f.F + 6
-        row.ja = [f.response.near(sum(g * x for g, x in zip(G, row.ca)), shift) for G in self.Ga]
-        row.jb = [f.response.near(sum(g * x for g, x in zip(G, row.cb)), shift) for G in self.Gb]
-        ga = f.give.near(sum(x * y for x, y in zip(row.ca, row.ja)), 44)
-        gb = f.give.near(sum(x * y for x, y in zip(row.cb, row.jb)), 44)
+        row.ja = [f.response.near(dot(G, row.ca), shift) for G in self.Ga]
+        row.jb = [f.response.near(dot(G, row.cb), shift) for G in self.Gb]
+        ga = f.give.near(dot(row.ca, row.ja), 44)
+        gb = f.give.near(dot(row.cb, row.jb), 44)
         whole = ONE - lost + max(ga, 0) + max(gb, 0)
         row.m = 0 if whole < ONE >> 6 else ratio.quotient(ONE, whole)
 
@@ -128,12 +128,8 @@ class Solver:
 
     def rate(self, row, va, wa, vb, wb):
         f = self.f
-        r = f.sum.near(sum(u * (y - x) for u, x, y in zip(row.u, va, vb)), f.F + 42)
-        for cb, w in zip(row.cb, wb):
-            r += cb * w
-        for ca, w in zip(row.ca, wa):
-            r -= ca * w
-        return f.speed.near(r, f.F + 34)
+        r = f.sum.near(dot(row.u, [y - x for x, y in zip(va, vb)]), f.F + 42)
+        return f.speed.near(r + dot(row.cb, wb) - dot(row.ca, wa), f.F + 34)
 
     def speed_along(self, c, row):
         return self.rate(row, c.a.v, c.a.w, c.b.v, c.b.w)
@@ -141,16 +137,15 @@ class Solver:
     def apply(self, c, row, p):
         if p == 0:
             return
-        near, turn = self.f.speed.near, self.f.spin.near
-        low, high = self.f.speed.low, self.f.speed.high
+        near, clamp, turn = self.f.speed.near, self.f.speed.clamp, self.f.spin.near
         F, k = self.f.F + 42, self.spin_shift
         a, b = c.a, c.b
         if a.can_move:
-            a.v = [min(max(v - near(u * p, F), low), high) for v, u in zip(a.v, row.au)]
-            a.w = [min(max(w - turn(j * p, k), low), high) for w, j in zip(a.w, row.ja)]
+            a.v = [clamp(v - near(u * p, F)) for v, u in zip(a.v, row.au)]
+            a.w = [clamp(w - turn(j * p, k)) for w, j in zip(a.w, row.ja)]
         if b.can_move:
-            b.v = [min(max(v + near(u * p, F), low), high) for v, u in zip(b.v, row.bu)]
-            b.w = [min(max(w + turn(j * p, k), low), high) for w, j in zip(b.w, row.jb)]
+            b.v = [clamp(v + near(u * p, F)) for v, u in zip(b.v, row.bu)]
+            b.w = [clamp(w + turn(j * p, k)) for w, j in zip(b.w, row.jb)]
 
     def push(self, c, i, p):
         P = max(self.f.impulse.clamp(c.pressure[i] + p), 0)
