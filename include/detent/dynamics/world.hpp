@@ -193,6 +193,13 @@ class BasicWorld {
     step_on(detail::ManyThreads<std::remove_reference_t<T>>{threads});
   }
 
+  // Deleted: compilers show the line with the name.
+  // clang-format off
+  template <class T, class... Rest>
+  requires(!Threads<T>)
+  void step(const T&, const Rest&...) = delete;  // detent: write step(): WorldSettings has ticks_per_second and substeps
+  // clang-format on
+
   /// Adds a joint of two bodies, and wakes them. Nothing if the world has no room, or if a body
   /// does not exist.
   template <detail::Among<Parts...> Joint>
