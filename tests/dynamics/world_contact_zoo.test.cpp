@@ -332,8 +332,8 @@ TEMPLATE_TEST_CASE(
   CHECK(restore(world, bytes) == Restored::other_fixed_part);
 }
 
-TEMPLATE_TEST_CASE("set_filter, set_friction: the state of snapshots, copies and digests", "",
-                   Dim<2>, Dim<3>) {
+TEMPLATE_TEST_CASE("setters of bodies: the state of snapshots, copies and digests", "", Dim<2>,
+                   Dim<3>) {
   constexpr int N = TestType::value;
   const auto seed = GENERATE(1, 2);
   INFO("seed " << seed);
@@ -349,17 +349,26 @@ TEMPLATE_TEST_CASE("set_filter, set_friction: the state of snapshots, copies and
     world.set_friction(id, num<S>(0.375));
     world.set_restitution(id, num<S>(0.25));
     world.set_sensor(id, zoo.random.one_in(4));
+    world.set_gravity_scale(id, num<S>(0.5));
+    world.set_damping(id, num<S>(0.125), num<S>(0.25));
+    world.set_locked(id, static_cast<std::uint8_t>(zoo.random.below(64)));
+    world.set_fast(id, zoo.random.one_in(4));
+    world.set_user(id, zoo.random.next());
     CHECK((digest_of(world, id) != digest_of(saved, id)));
     if (!is_fixed_body) CHECK(digest(world) != before);
 
     // A restored world and a copy go on like this one.
-    auto copy = world;
+    auto copy = world, restored = world;
     std::vector<std::byte> bytes(snapshot(world, std::span<std::byte>()));
     snapshot(world, bytes);
+    restored.step();
+    REQUIRE(restore(restored, bytes, zoo.hulls(), zoo.compounds()) == Restored::yes);
     for (int tick = 0; tick < 5; ++tick) {
       copy.step();
+      restored.step();
       world.step();
       REQUIRE(digest(copy) == digest(world));
+      REQUIRE(digest(restored) == digest(world));
       REQUIRE(contacts_of(copy) == contacts_of(world));
     }
     // A rollback also restores what was set.
