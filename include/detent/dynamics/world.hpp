@@ -77,8 +77,38 @@ class BasicWorld {
       : settings_(settings), pace_(detail::pace_of(settings)) {}
 
   constexpr BasicWorld(const BasicWorld&) = default;
-  constexpr BasicWorld(BasicWorld&&) noexcept = default;
-  constexpr BasicWorld& operator=(BasicWorld&&) noexcept = default;
+  /// Leaves the other world as if nothing had ever been added to it.
+  constexpr BasicWorld(BasicWorld&& other) noexcept
+      : settings_(other.settings_),
+        pace_(other.pace_),
+        bodies_(std::move(other.bodies_)),
+        contacts_(std::move(other.contacts_)),
+        joints_(std::move(other.joints_)),
+        next_(other.next_),
+        first_free_(other.first_free_),
+        size_(other.size_),
+        events_(std::move(other.events_)),
+        tick_(std::move(other.tick_)),
+        is_still_(other.is_still_) {
+    other.clear();
+  }
+  constexpr BasicWorld& operator=(BasicWorld&& other) noexcept {
+    if (this == &other) return *this;
+    settings_ = other.settings_;
+    pace_ = other.pace_;
+    bodies_ = std::move(other.bodies_);
+    contacts_ = std::move(other.contacts_);
+    joints_ = std::move(other.joints_);
+    next_ = other.next_;
+    first_free_ = other.first_free_;
+    size_ = other.size_;
+    events_ = std::move(other.events_);
+    tick_ = std::move(other.tick_);
+    is_still_ = other.is_still_;
+    other.clear();
+    return *this;
+  }
+  constexpr ~BasicWorld() = default;
   /// Takes time proportional to the contents: the unused capacity of a bounded world is not copied.
   constexpr BasicWorld& operator=(const BasicWorld& other) {
     settings_ = other.settings_;
@@ -735,6 +765,16 @@ class BasicWorld {
     }
   }
 
+  constexpr void clear() noexcept {
+    bodies_.clear();
+    contacts_.clear();
+    joints_.clear();
+    next_ = 1;
+    first_free_ = 0;
+    size_ = 0;
+    events_.clear();
+    is_still_ = false;
+  }
   template <class List>
   static constexpr void copy_used(const List& from, List& to) {
     if constexpr (requires { Storage::is_growing; }) {
