@@ -2,6 +2,8 @@
 #include "detent/dynamics/world.hpp"
 
 #include <cmath>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "detent/dynamics/snapshot.hpp"
@@ -186,6 +188,54 @@ TEST_CASE("world: the mass is density times area, and 0 for fixed and kinematic 
   CHECK(world.mass(*world.add(huge)) == q16_16::max());
   REQUIRE(world.remove(heavy));
   CHECK(world.mass(heavy) == 0);
+}
+
+TEMPLATE_TEST_CASE("world: a moved-from world is like new", "",
+                   (World<q16_16, 2, Sphere, BallJoint>),
+                   (BoundedWorld<Bounded<8>, q16_16, 2, Sphere, BallJoint>)) {
+  STATIC_REQUIRE(std::is_nothrow_move_constructible_v<TestType> &&
+                 std::is_nothrow_move_assignable_v<TestType>);
+  const auto fill = [](TestType& world) {
+    add_round_ground(world);
+    BallJoint<q16_16, 2> joint;
+    joint.a = add_ball(world, 0, 1);
+    joint.b = add_ball(world, 0, 3);
+    const auto id = world.add(joint);
+    for (int i = 0; i < 10; ++i) world.step();
+    return std::pair(joint.b, *id);
+  };
+  const auto check_is_new = [&](TestType& world) {
+    CHECK(world.size() == 0);
+    CHECK(world.joint_count() == 0);
+    CHECK(world.event_count() == 0);
+    CHECK(digest(world) == digest(TestType()));
+    TestType fresh;
+    CHECK(fill(world) == fill(fresh));
+    CHECK(digest(world) == digest(fresh));
+  };
+  TestType first;
+  fill(first);
+  const auto before = digest(first);
+  TestType second = std::move(first);
+  CHECK(digest(second) == before);
+  CHECK(second.joint_count() == 1);
+  check_is_new(first);
+
+  TestType third;
+  add_ball(third, 5, 5);
+  third = std::move(second);
+  CHECK(digest(third) == before);
+  CHECK(third.size() == 3);
+  check_is_new(second);
+
+  TestType& same = third;
+  third = std::move(same);
+  CHECK(digest(third) == before);
+  first.step();
+  third.step();
+  std::swap(first, third);
+  first.step();
+  CHECK(digest(first) != before);
 }
 
 TEST_CASE("world: full worlds and wrong ids are refused") {

@@ -258,8 +258,82 @@ TEMPLATE_TEST_CASE("set_sensor: a floor lets bodies through and reports them, th
   CHECK_FALSE(world.set_sensor(no_object, true));
 }
 
-TEMPLATE_TEST_CASE("set_filter, set_friction: the state of snapshots, copies and digests", "",
-                   Dim<2>, Dim<3>) {
+TEMPLATE_TEST_CASE("set_gravity_scale, set_damping, set_locked, set_fast, set_user: as if added so",
+                   "", Dim<2>, Dim<3>) {
+  constexpr int N = TestType::value;
+  BodyOptions<S, N> options{.velocity = at<S, N>(3, 1)};
+  options.angular_velocity[0] = num<S>(0.5);
+  World<S, N, Sphere, Obb> world;
+  world.add(box_of<S, N>(0, -1, 90, 1), {.motion = BodyMotion::fixed});
+  auto added = world;
+  const auto box = box_of<S, N>(0, 1, 0.5, 0.25);
+  const auto id = *world.add(box, options);
+  options.gravity_scale = num<S>(0.25);
+  options.linear_damping = num<S>(0.5);
+  options.angular_damping = S(2);
+  options.locked = AxisLock::x;
+  options.is_fast = true;
+  options.user = 7;
+  REQUIRE(*added.add(box, options) == id);
+  CHECK(digest(world) != digest(added));
+  CHECK(world.set_gravity_scale(id, options.gravity_scale));
+  CHECK(world.set_damping(id, options.linear_damping, options.angular_damping));
+  CHECK(world.set_locked(id, options.locked));
+  CHECK(world.set_fast(id, options.is_fast));
+  CHECK(world.set_user(id, options.user));
+  CHECK(world.info(id)->user == 7);
+  for (int i = 0; i < 120; ++i) {
+    CHECK(digest(world) == digest(added));
+    world.step();
+    added.step();
+  }
+  CHECK(world.position(id).x == 0);
+  CHECK_FALSE(world.set_gravity_scale(no_object, S(0)));
+  CHECK_FALSE(world.set_damping(no_object, S(0), S(0)));
+  CHECK_FALSE(world.set_locked(no_object, 0));
+  CHECK_FALSE(world.set_fast(no_object, true));
+  CHECK_FALSE(world.set_user(no_object, 0));
+}
+
+TEMPLATE_TEST_CASE(
+    "set_gravity_scale, set_damping, set_locked, set_fast: wake a body; set_user not", "", Dim<2>,
+    Dim<3>) {
+  constexpr int N = TestType::value;
+  World<S, N, Obb> world;
+  const auto floor = *world.add(box_of<S, N>(0, -1, 9, 1), {.motion = BodyMotion::fixed});
+  const auto box = *world.add(box_of<S, N>(0, 0.5, 0.5, 0.5));
+  for (int i = 0; i < 200; ++i) world.step();
+  REQUIRE(world.is_asleep(box));
+  const auto asleep = world;
+  CHECK(world.set_user(box, 1));
+  CHECK(world.is_asleep(box));
+  const auto wakes = [&](const auto& change) {
+    auto changed = asleep;
+    CHECK(change(changed));
+    return !changed.is_asleep(box);
+  };
+  CHECK(wakes([&](auto& w) { return w.set_gravity_scale(box, S(2)); }));
+  CHECK(wakes([&](auto& w) { return w.set_damping(box, S(1), S(1)); }));
+  CHECK(wakes([&](auto& w) { return w.set_locked(box, AxisLock::turn); }));
+  CHECK(wakes([&](auto& w) { return w.set_fast(box, true); }));
+
+  // Without gravity it rises with the least push.
+  world.set_gravity_scale(box, S(0));
+  world.apply_impulse(box, at<S, N>(0, 1));
+  for (int i = 0; i < 60; ++i) world.step();
+  CHECK(world.position(box).y > num<S>(1.4));
+
+  // The word of a fixed body belongs to the level.
+  std::vector<std::byte> bytes(snapshot(asleep, std::span<std::byte>()));
+  snapshot(asleep, bytes);
+  CHECK(restore(world, bytes) == Restored::yes);
+  CHECK(world.info(box)->user == 0);
+  world.set_user(floor, 1);
+  CHECK(restore(world, bytes) == Restored::other_fixed_part);
+}
+
+TEMPLATE_TEST_CASE("setters of bodies: the state of snapshots, copies and digests", "", Dim<2>,
+                   Dim<3>) {
   constexpr int N = TestType::value;
   const auto seed = GENERATE(1, 2);
   INFO("seed " << seed);
@@ -275,17 +349,26 @@ TEMPLATE_TEST_CASE("set_filter, set_friction: the state of snapshots, copies and
     world.set_friction(id, num<S>(0.375));
     world.set_restitution(id, num<S>(0.25));
     world.set_sensor(id, zoo.random.one_in(4));
+    world.set_gravity_scale(id, num<S>(0.5));
+    world.set_damping(id, num<S>(0.125), num<S>(0.25));
+    world.set_locked(id, static_cast<std::uint8_t>(zoo.random.below(64)));
+    world.set_fast(id, zoo.random.one_in(4));
+    world.set_user(id, zoo.random.next());
     CHECK((digest_of(world, id) != digest_of(saved, id)));
     if (!is_fixed_body) CHECK(digest(world) != before);
 
     // A restored world and a copy go on like this one.
-    auto copy = world;
+    auto copy = world, restored = world;
     std::vector<std::byte> bytes(snapshot(world, std::span<std::byte>()));
     snapshot(world, bytes);
+    restored.step();
+    REQUIRE(restore(restored, bytes, zoo.hulls(), zoo.compounds()) == Restored::yes);
     for (int tick = 0; tick < 5; ++tick) {
       copy.step();
+      restored.step();
       world.step();
       REQUIRE(digest(copy) == digest(world));
+      REQUIRE(digest(restored) == digest(world));
       REQUIRE(contacts_of(copy) == contacts_of(world));
     }
     // A rollback also restores what was set.

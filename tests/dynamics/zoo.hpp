@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "detent/dynamics/dynamics.hpp"
@@ -76,6 +77,10 @@ class Zoo {
     for (int i = 0; i < N; ++i) p[i] = number(4);
     return direction_of<S>(p).value_or(Direction<S, N>::along(0));
   }
+
+  /// What a snapshot needs to be restored.
+  [[nodiscard]] std::span<const SolidHull<S, N>> hulls() const { return {&hull_, 1}; }
+  [[nodiscard]] std::span<const SolidCompound<S, N>> compounds() const { return {&compound_, 1}; }
 
   Random random;
   Bodies world;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "number/big_integer.hpp"
 #include "support/catch.hpp"
@@ -43,6 +44,8 @@ using Offset = Vec<Fixed<32, 16>, 3>;
 static_assert(std::is_same_v<decltype(dot(Offset(), D())), Fixed<63, 46>>);
 static_assert(std::is_same_v<decltype(dot(D(), D())), Fixed<61, 60>>);
 static_assert(std::is_same_v<decltype(cross(D(), Offset()).x), Fixed<63, 46>>);
+static_assert(std::is_same_v<decltype(cross(Offset(), D()).x), Fixed<63, 46>>);
+static_assert(std::is_same_v<decltype(cross(D(), D()).x), Fixed<61, 60>>);
 
 /// Whether `component` is 2^frac * coordinate / sqrt(squared) rounded to nearest; ties do not
 /// occur.
@@ -118,6 +121,33 @@ concept HasSum = requires(A a, B b) {
 using Unit = Direction<q16_16, 3>;
 static_assert(!HasProduct<Unit, Unit> && !HasProduct<Unit, V3<q16_16>> &&
               !HasProduct<V3<q16_16>, Unit> && !HasSum<Unit, Unit> && !HasSum<V3<q16_16>, Unit>);
+
+TEMPLATE_TEST_CASE("direction: cross products are those of the vectors, in any order", "", q16_16,
+                   q8_8) {
+  using S = TestType;
+  Random random(47);
+  const auto draw = [&]<int N>(std::integral_constant<int, N>) {
+    while (true) {
+      const auto v = make_vec<N>([&](int) { return random_fixed<S>(random); });
+      if (const auto d = normalize(v)) return std::pair(v, *d);
+    }
+  };
+  const auto are_equal = [](const auto& a, const auto& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+  };
+  for (int i = 0; i < 1'000; ++i) {
+    INFO(random);
+    const auto [v, d] = draw(std::integral_constant<int, 3>());
+    const auto e = draw(std::integral_constant<int, 3>()).second;
+    REQUIRE(are_equal(cross(d, e), cross(d.vec(), e.vec())));
+    REQUIRE(are_equal(cross(v, e), cross(v, e.vec())));
+    REQUIRE(are_equal(cross(e, v), cross(e.vec(), v)));
+    const auto [w, f] = draw(std::integral_constant<int, 2>());
+    const auto g = draw(std::integral_constant<int, 2>()).second;
+    REQUIRE(cross(f, g) == cross(f.vec(), g.vec()));
+    REQUIRE(cross(w, g) == cross(w, g.vec()));
+  }
+}
 
 TEST_CASE("direction_of: cross products of the longest edges are rounded to nearest") {
   Random random(20261122);

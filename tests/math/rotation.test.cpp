@@ -27,6 +27,9 @@ static_assert(Solid().axis(0) == D::along(0) && Solid().axis(2) == D::along(2));
 static_assert(Flat::from_angle(A()) == Flat());
 static_assert(Flat::from_angle(right_angle).axis(0) == Direction<q16_16, 2>::along(1));
 static_assert(Flat::from_angle(right_angle).axis(1) == -Direction<q16_16, 2>::along(0));
+static_assert(angle_of(Flat()) == A() && angle_of(Flat::from_angle(right_angle)) == right_angle);
+static_assert(angle_of(Flat::from_angle(A::turn(1, 2))) == A::turn(1, 2));
+static_assert(angle_of(Flat::from_angle(A::turn(5, 8))) == A::turn(-3, 8));
 static_assert(Solid::from_axis_angle(D::along(1), A()) == Solid());
 static_assert(Solid::from_axis_angle(D::along(2), right_angle).axis(0) == D::along(1));
 static_assert(Solid::from_axis_angle(-D::along(2), right_angle).axis(0) == -D::along(1));
@@ -186,6 +189,25 @@ TEMPLATE_TEST_CASE("rotation: a 2D rotation has the rounded sine and cosine as i
   }
   INFO(random);
   CHECK(worst <= (is_exact<S> ? 0.5 : 1.5));
+}
+
+TEMPLATE_TEST_CASE("angle_of: returns the angle of a 2D rotation", "", q16_16, q14_16, q24_8, q8_8,
+                   float, double) {
+  using S = TestType;
+  Random random(45);
+  for (int i = 0; i < 10'000; ++i) {
+    const auto angle = random_angle<S>(random);
+    const auto found = angle_of(Rotation<S, 2>::from_angle(angle));
+    INFO(random);
+    if constexpr (is_fixed<S>) {
+      const auto off = static_cast<std::int32_t>(found.raw() - angle.raw());
+      // 2^-29 and 2^-14 radians in units of 2^-32 turn
+      REQUIRE(std::abs(off) <= (direction_component<S>::frac == 30 ? 1 : 41'721));
+    } else {
+      REQUIRE(abs(sin((found - angle).raw())) < (std::is_same_v<S, float> ? 1e-6 : 1e-15));
+      REQUIRE(cos((found - angle).raw()) > 0);
+    }
+  }
 }
 
 TEMPLATE_TEST_CASE("rotation: a quaternion of any length gives correctly rounded axes", "", q16_16,

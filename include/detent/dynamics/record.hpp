@@ -174,6 +174,13 @@ template <Scalar S>
   return inertia;
 }
 
+/// Computes the fields derived from the damping.
+template <Scalar S, int N, class Shape>
+constexpr void derive_kept(BodyRecord<S, N, Shape>& body, int rate) noexcept {
+  body.kept_velocity = kept<S>(body.linear_damping, rate);
+  body.kept_spin = kept<S>(body.angular_damping, rate);
+}
+
 /// Computes the fields derived from the shape, the density and the damping.
 template <Scalar S, int N, class Shape>
 constexpr void derive(BodyRecord<S, N, Shape>& body, int rate) noexcept {
@@ -185,8 +192,7 @@ constexpr void derive(BodyRecord<S, N, Shape>& body, int rate) noexcept {
       body.inertia = inertia_of<S>(properties.gyration, properties.inverse_gyration);
     }
   });
-  body.kept_velocity = kept<S>(body.linear_damping, rate);
-  body.kept_spin = kept<S>(body.angular_damping, rate);
+  derive_kept(body, rate);
 }
 
 }  // namespace detent::detail

@@ -77,8 +77,38 @@ class BasicWorld {
       : settings_(settings), pace_(detail::pace_of(settings)) {}
 
   constexpr BasicWorld(const BasicWorld&) = default;
-  constexpr BasicWorld(BasicWorld&&) noexcept = default;
-  constexpr BasicWorld& operator=(BasicWorld&&) noexcept = default;
+  /// Leaves the other world as if nothing had ever been added to it.
+  constexpr BasicWorld(BasicWorld&& other) noexcept
+      : settings_(other.settings_),
+        pace_(other.pace_),
+        bodies_(std::move(other.bodies_)),
+        contacts_(std::move(other.contacts_)),
+        joints_(std::move(other.joints_)),
+        next_(other.next_),
+        first_free_(other.first_free_),
+        size_(other.size_),
+        events_(std::move(other.events_)),
+        tick_(std::move(other.tick_)),
+        is_still_(other.is_still_) {
+    other.clear();
+  }
+  constexpr BasicWorld& operator=(BasicWorld&& other) noexcept {
+    if (this == &other) return *this;
+    settings_ = other.settings_;
+    pace_ = other.pace_;
+    bodies_ = std::move(other.bodies_);
+    contacts_ = std::move(other.contacts_);
+    joints_ = std::move(other.joints_);
+    next_ = other.next_;
+    first_free_ = other.first_free_;
+    size_ = other.size_;
+    events_ = std::move(other.events_);
+    tick_ = std::move(other.tick_);
+    is_still_ = other.is_still_;
+    other.clear();
+    return *this;
+  }
+  constexpr ~BasicWorld() = default;
   /// Takes time proportional to the contents: the unused capacity of a bounded world is not copied.
   constexpr BasicWorld& operator=(const BasicWorld& other) {
     settings_ = other.settings_;
@@ -116,7 +146,8 @@ class BasicWorld {
   // clang-format on
 
   /// Adds a body with an id chosen by the caller, such as that of a removed body. False if the
-  /// index is in use or beyond the world's capacity, or for a compound as above.
+  /// index is in use or beyond the world's capacity, for the generation 0, or for a compound as
+  /// above.
   template <detail::Among<Parts...> Shape>
   requires(!detail::IsJoint<Shape>) constexpr bool put(const BodyId& id, const Shape& shape,
                                                        const Options& options = {}) {
@@ -191,6 +222,13 @@ class BasicWorld {
   constexpr void step(T&& threads) {
     step_on(detail::ManyThreads<std::remove_reference_t<T>>{threads});
   }
+
+  // Deleted: compilers show the line with the name.
+  // clang-format off
+  template <class T, class... Rest>
+  requires(!Threads<T>)
+  void step(const T&, const Rest&...) = delete;  // detent: write step(): WorldSettings has ticks_per_second and substeps
+  // clang-format on
 
   /// Adds a joint of two bodies, and wakes them. Nothing if the world has no room, or if a body
   /// does not exist.
@@ -415,7 +453,7 @@ class BasicWorld {
   /// Sets the layers of a body and those it collides with, and wakes it and the bodies it touched.
   /// Contacts begin and end in the next step. False if no body has this id.
   ///
-  /// These four properties are part of snapshots; snapshots taken before a fixed body was changed
+  /// What these functions set is part of snapshots; snapshots taken before a fixed body was changed
   /// cannot be restored afterwards.
   constexpr bool set_filter(const BodyId& id, std::uint32_t layers,
                             std::uint32_t collides_with) noexcept {
@@ -437,6 +475,34 @@ class BasicWorld {
   /// sensors stay sensors.
   constexpr bool set_sensor(const BodyId& id, bool is_sensor) noexcept {
     return set(id, [&](Body& body) { body.is_sensor = is_sensor; });
+  }
+  /// Sets the share of the world's gravity that a body feels; otherwise like `set_filter`.
+  constexpr bool set_gravity_scale(const BodyId& id, const S& scale) noexcept {
+    return set(id, [&](Body& body) { body.gravity_scale = scale; });
+  }
+  /// Sets the damping of a body's velocity and of its spin; otherwise like `set_filter`.
+  constexpr bool set_damping(const BodyId& id, const S& linear, const S& angular) noexcept {
+    return set(id, [&](Body& body) {
+      body.linear_damping = linear;
+      body.angular_damping = angular;
+      detail::derive_kept(body, pace_.rate);
+    });
+  }
+  /// Sets the locked axes of a body, bits of `AxisLock`; otherwise like `set_filter`.
+  constexpr bool set_locked(const BodyId& id, std::uint8_t locked) noexcept {
+    return set(id, [&](Body& body) { body.locked = locked; });
+  }
+  /// Makes a body fast or not; otherwise like `set_filter`.
+  constexpr bool set_fast(const BodyId& id, bool is_fast) noexcept {
+    return set(id, [&](Body& body) { body.is_fast = is_fast; });
+  }
+  /// Sets the user word of a body, which no step reads, and wakes nothing. False if no body has
+  /// this id.
+  constexpr bool set_user(const BodyId& id, std::uint64_t user) noexcept {
+    Body* body = find(id);
+    if (body == nullptr) return false;
+    body->user = user;
+    return true;
   }
 
   /// Changes velocity and spin at once, by an impulse at the point `at` of the world, and wakes the
@@ -699,6 +765,16 @@ class BasicWorld {
     }
   }
 
+  constexpr void clear() noexcept {
+    bodies_.clear();
+    contacts_.clear();
+    joints_.clear();
+    next_ = 1;
+    first_free_ = 0;
+    size_ = 0;
+    events_.clear();
+    is_still_ = false;
+  }
   template <class List>
   static constexpr void copy_used(const List& from, List& to) {
     if constexpr (requires { Storage::is_growing; }) {

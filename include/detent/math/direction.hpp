@@ -156,6 +156,14 @@ template <Scalar S, Number T, int N>
 [[nodiscard]] constexpr auto cross(const Direction<S, N>& d, const Vec<T, N>& v) noexcept {
   return narrow_cross<detail::along_bits<S, T>>(d.vec(), v);
 }
+template <Scalar S, Number T, int N>
+[[nodiscard]] constexpr auto cross(const Vec<T, N>& v, const Direction<S, N>& d) noexcept {
+  return narrow_cross<detail::along_bits<S, T>>(v, d.vec());
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto cross(const Direction<S, N>& a, const Direction<S, N>& b) noexcept {
+  return narrow_cross<detail::cosine_bits<S>>(a.vec(), b.vec());
+}
 
 /// Products with a number or a built-in integer are vectors, exact and as wide as those of `Vec`.
 template <Scalar S, int N, class T>

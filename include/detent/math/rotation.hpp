@@ -264,4 +264,14 @@ template <Scalar S, int N>
   return Rotation<S, N>::from_axes(axes);
 }
 
+/// The angle of a rotation in the plane, counter-clockwise: the inverse of `from_angle`.
+///
+/// result: in (-1/2, 1/2] turn
+/// exact:  that of axis 0 as stored, rounded to nearest, which is within 2^-29 radians (2^-14 for
+///         16-bit scalars) of the argument of `from_angle`         (tests/math/rotation.test.cpp)
+template <Scalar S>
+[[nodiscard]] constexpr Angle<S> angle_of(const Rotation<S, 2>& rotation) noexcept {
+  return Angle<S>::from_raw(atan2(rotation.axis(0)[1], rotation.axis(0)[0]).raw());
+}
+
 }  // namespace detent

@@ -38,6 +38,13 @@ struct JointTable {
     ++size;
     return true;
   }
+  constexpr void clear() noexcept {
+    list.clear();
+    next = 1;
+    first_free = 0;
+    size = 0;
+    broken.clear();
+  }
   /// Removes an existing joint and returns its bodies.
   constexpr BodyPair take(std::uint32_t index) {
     const auto pair = list[index].bodies();
@@ -81,6 +88,7 @@ struct JointTable<JointGroup<Storage, S, N>> {
   typename JointGroup<Storage, S, N>::List list{};
   static constexpr std::uint32_t next = 1;
 
+  static constexpr void clear() noexcept {}
   template <class F>
   static constexpr void take_all_of(std::uint32_t, const F&) noexcept {}
   template <class Tick, class F>
