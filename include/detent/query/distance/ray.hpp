@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/math/width.hpp"
 #include "detent/number/filter/ratio.hpp"
 #include "detent/query/kernel/point_ray.hpp"
 
@@ -26,11 +27,13 @@ template <Scalar S, int N>
 
 namespace detail {
 
-/// `distance` to a ray, without the filter for the side.
+/// `distance` to a ray, without a filter.
 template <Scalar S, int N>
 [[nodiscard]] DETENT_OUTLINE constexpr S exact_distance(const Ray<S, N>& ray,
                                                         const Vec<S, N>& point) noexcept {
-  return sqrt_floor<S>(squared_distance(ray, point));
+  const auto squared = squared_distance(ray, point);
+  if (squared.denominator == 1) return sqrt_floor<S>(squared.numerator);
+  return sqrt_floor<S>(squared);
 }
 
 }  // namespace detail
@@ -46,18 +49,23 @@ template <Scalar S, int N>
   if (ray.max_distance < 0) return largest<S>;
   if constexpr (is_fixed<S> && filter_pays<S>) {
     using Component = direction_component<S>;
-    // The squared length of a direction is at least this.
+    // No direction has a squared length below this.
     constexpr auto shortest = Component::from_raw(Component(1).raw() - 4);
     const auto from_origin = point - ray.origin;
     if (fits<30>(from_origin)) [[likely]] {
       const auto along = narrow_dot<61>(from_origin, ray.direction.vec());
-      const auto distance = decide_line_distance<S>(narrow_dot<62>(from_origin, from_origin), along,
-                                                    narrow<61>(squared_length(ray.direction)));
-      if (distance.is_sure && along < ray.max_distance * shortest) [[likely]]
-        return distance.value;
+      if (along < ray.max_distance * shortest) [[likely]] {
+        const auto distance =
+            decide_line_distance<S>(narrow_dot<62>(from_origin, from_origin), along,
+                                    narrow<61>(squared_length(ray.direction)));
+        if (distance.is_sure) [[likely]]
+          return distance.value;
+      }
     }
+    return detail::exact_distance(ray, point);
+  } else {
+    return sqrt_floor<S>(squared_distance(ray, point));
   }
-  return detail::exact_distance(ray, point);
 }
 
 }  // namespace detent

@@ -77,13 +77,21 @@ template <Number Distance, Number T, int N>
   }
 }
 
-/// `distance` to a segment, in a result type that may differ from its coordinates.
+/// `distance` to a segment, in a result type that may differ from its coordinates, without the
+/// filter of words.
 template <Number Distance, Scalar S, int N>
-[[nodiscard]] DETENT_OUTLINE constexpr Distance any_distance_to(const Segment<S, N>& segment,
-                                                                const Vec<S, N>& point) noexcept {
+[[nodiscard]] constexpr Distance any_distance_to(const Segment<S, N>& segment,
+                                                 const Vec<S, N>& point) noexcept {
   return by_width<30>([](const auto&... x) { return distance_from_edge<Distance>(x...); },
                       segment.end - segment.start, point - segment.start);
 }
+template <Number Distance, Scalar S, int N>
+[[nodiscard]] DETENT_OUTLINE constexpr Distance outlined_distance_to(
+    const Segment<S, N>& segment, const Vec<S, N>& point) noexcept {
+  return any_distance_to<Distance>(segment, point);
+}
+
+/// `distance` to a segment, in a result type that may differ from its coordinates.
 template <Number Distance, Scalar S, int N>
 [[nodiscard]] constexpr Distance distance_to(const Segment<S, N>& segment,
                                              const Vec<S, N>& point) noexcept {
@@ -95,8 +103,10 @@ template <Number Distance, Scalar S, int N>
       if (distance.is_sure) [[likely]]
         return distance.value;
     }
+    return outlined_distance_to<Distance>(segment, point);
+  } else {
+    return any_distance_to<Distance>(segment, point);
   }
-  return any_distance_to<Distance>(segment, point);
 }
 
 }  // namespace detent::detail
