@@ -205,6 +205,7 @@ template <Number T, Number Square, Number Over, Number Under, int Frac, class Er
   const auto rest_error =
       2 * (std::max)(shift_right_floor(error.raw() << up, down), std::int64_t{1});
   const auto product = wrapping_multiply<Int128>(ratio.over.raw(), value.raw());
+  // Below 2^62, as no product of `over` and the quotient is negative.
   const auto rest = integer_cast<std::int64_t>(square.raw()) -
                     integer_cast<std::int64_t>(shift_right_floor(product, Frac));
   const std::int64_t root =
@@ -216,8 +217,8 @@ template <Number T, Number Square, Number Over, Number Under, int Frac, class Er
 
 namespace detail {
 
-/// The root of `rest` rounded down and clamped, where the exact number is at most `rest` and exceeds
-/// rest - `error`; it is `rest` if `is_exact`.
+/// The root, rounded down and clamped, of a number that is at most `rest` and exceeds rest - error;
+/// it is `rest` if `is_exact`. 0 <= rest < 2^62.
 template <Number T>
 [[nodiscard]] constexpr Decided<T> decide_root_floor(std::int64_t rest, std::int64_t error,
                                                      bool is_exact) noexcept {
@@ -229,8 +230,9 @@ template <Number T>
 
 }  // namespace detail
 
-/// The distance from a point to a segment, from products of the vectors w from its start to the
-/// point and e to its end: w^2, w e and e^2 (docs/filters.md, lemma 43).
+/// Filter: the distance from a point to a segment, rounded down and clamped, from products of the
+/// vectors w from its start to the point and e to its end: w^2, w e and e^2 (docs/filters.md,
+/// lemma 43).
 template <Number T, int F>
 [[nodiscard]] constexpr Decided<T> decide_segment_distance(const Fixed<62, F>& square,
                                                            const Fixed<62, F>& along,
@@ -249,9 +251,9 @@ template <Number T, int F>
   return detail::decide_root_floor<T>(square.raw() - removed, 18, !is_inside);
 }
 
-/// The distance from a point to a line, or to where it starts if `along` is not positive, from
-/// products of the vector w from there to the point and the direction d: w^2, w d and d^2
-/// (docs/filters.md, lemma 44).
+/// Filter: the distance from a point to an endless ray, rounded down and clamped, from products of
+/// the vector w from its origin to the point and its direction d: w^2, w d and d^2 (docs/filters.md,
+/// lemma 44). |along| must be below 2^61 steps.
 template <Number T, int F, int FA>
 [[nodiscard]] constexpr Decided<T> decide_line_distance(const Fixed<62, F>& square,
                                                         const Fixed<61, FA>& along,
@@ -262,7 +264,7 @@ template <Number T, int F, int FA>
   const std::int64_t excess = whole.raw() - (std::int64_t{1} << 60);
   const std::int64_t share = over - detail::high_word(over, shift_left(excess, 4)) - 1;
   const std::int64_t removed = detail::high_word(shift_left(over, 2), shift_left(share, 2));
-  return detail::decide_root_floor<T>(square.raw() - removed, 64, over == 0);
+  return detail::decide_root_floor<T>(square.raw() - removed, 68, over == 0);
 }
 
 }  // namespace detent
