@@ -161,3 +161,77 @@ TEST_CASE("decide_side_floor: works along a direction") {
   CHECK(unsure > 100);
   CHECK(unsure < 19'000);
 }
+
+TEST_CASE(
+    "decide_segment_distance: rounds the exact distance down, or is unsure between the ends") {
+  using Product = Fixed<62, 32>;
+  const auto limit = power_of_two(62);
+  Random random(20260723);
+  INFO(random);
+  int unsure = 0, count = 0;
+  for (int i = 0; i < 40000; ++i) {
+    const std::int64_t under = std::abs(random.wide(static_cast<int>(random.between(2, 61)))) + 2;
+    const auto over = random.one_in(4) ? under - 1 : random.between(1, under - 1);
+    const auto triangle = draw(random, over, under);
+    const auto whole = Product::from_raw(under);
+    if (triangle.square < limit) {
+      const auto square = fixed_from<Product>(triangle.square);
+      const auto along = Product::from_raw(over);
+      const auto distance = decide_segment_distance<q16_16>(square, along, whole);
+      if (distance.is_sure) CHECK(big_raw(distance.value) == triangle.side);
+      const auto clamped_distance = decide_segment_distance<q14_16>(square, along, whole);
+      if (distance.is_sure) {
+        CHECK(big_raw(clamped_distance.value) == clamped<q14_16>(triangle.side));
+      }
+      ++count;
+      unsure += distance.is_sure ? 0 : 1;
+    }
+    // Closest to an end, exactly.
+    const std::int64_t square = std::abs(random.wide(60)), past = under + std::abs(random.wide(60));
+    const BigInteger root = sqrt(BigInteger(square));
+    const auto before = decide_segment_distance<q16_16>(
+        Product::from_raw(square), Product::from_raw(std::min<std::int64_t>(random.edgy(61), 0)),
+        whole);
+    CHECK((before.is_sure && big_raw(before.value) == root));
+    if (BigInteger(2) * past - under + square >= limit) continue;
+    const auto after = decide_segment_distance<q16_16>(Product::from_raw(2 * past - under + square),
+                                                       Product::from_raw(past), whole);
+    CHECK((after.is_sure && big_raw(after.value) == root));
+  }
+  const auto point = decide_segment_distance<q16_16>(Product::from_raw(81), Product(), Product());
+  CHECK((point.is_sure && point.value.raw() == 9));
+  CHECK(count > 30'000);
+  CHECK(unsure > count / 10);
+  CHECK(unsure < count * 4 / 5);
+}
+
+TEST_CASE(
+    "decide_line_distance: rounds the exact distance down, or is unsure ahead of the origin") {
+  using Product = Fixed<62, 32>;
+  using Along = Fixed<61, 46>;
+  using Whole = Fixed<61, 60>;
+  Random random(20260724);
+  INFO(random);
+  int unsure = 0, count = 0;
+  for (int i = 0; i < 40000; ++i) {
+    const std::int64_t excess = random.coin() ? random.between(-4, 4) : random.edgy(32);
+    const auto whole = Whole::from_raw((std::int64_t{1} << 60) + excess);
+    const std::int64_t over = std::abs(random.wide(61));
+    const auto triangle = draw(random, over, whole.raw());
+    if (triangle.square < power_of_two(62)) {
+      const auto distance = decide_line_distance<q16_16>(fixed_from<Product>(triangle.square),
+                                                         Along::from_raw(over), whole);
+      if (distance.is_sure) CHECK(big_raw(distance.value) == triangle.side);
+      ++count;
+      unsure += distance.is_sure ? 0 : 1;
+    }
+    const std::int64_t square = std::abs(random.wide(61));
+    const auto before = decide_line_distance<q16_16>(
+        Product::from_raw(square), Along::from_raw(std::min<std::int64_t>(random.edgy(60), 0)),
+        whole);
+    CHECK((before.is_sure && big_raw(before.value) == sqrt(BigInteger(square))));
+  }
+  CHECK(count > 20'000);
+  CHECK(unsure > count / 10);
+  CHECK(unsure < count * 4 / 5);
+}

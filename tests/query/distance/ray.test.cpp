@@ -31,5 +31,37 @@ TEMPLATE_TEST_CASE("distance, ray: exact for the stored direction, and clamped",
   CHECK(distance(Ray<S, N>{low, toward<S, N>(1)}, high) == S::max());
 }
 
+TEMPLATE_TEST_CASE("distance, ray: near an end, whatever the direction's length", "[distance]",
+                   DETENT_FIXED_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  Random random(0x4e7d);
+  INFO(random);
+  const auto any = [&] {
+    return S::from_raw(
+        static_cast<typename S::raw_type>(random.between(-S::max().raw(), S::max().raw())));
+  };
+  int beyond = 0, count = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const auto direction = normalize(make_vec<N>([&](int) { return any(); }));
+    if (!direction) continue;
+    const auto reach =
+        S::from_raw(static_cast<typename S::raw_type>(S::max().raw() / 2 - any().raw() / 4));
+    const Ray<S, N> ray{Vec<S, N>(), *direction, reach};
+    const auto end = nearest_to<S>(*direction * reach);
+    const auto point = make_vec<N>([&](int j) {
+      const auto step = static_cast<typename S::raw_type>(random.between(-70, 70));
+      return S::from_raw(static_cast<typename S::raw_type>(end[j].raw() + step));
+    });
+    const auto squared = squared_distance(ray, point);
+    CHECK(distance(ray, point) == sqrt_floor<S>(squared));
+    ++count;
+    beyond += squared.denominator == 1 ? 1 : 0;
+  }
+  CHECK(count > 15'000);
+  CHECK(beyond > count / 4);
+  CHECK(beyond < count * 3 / 4);
+}
+
 }  // namespace
 }  // namespace detent::test

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 
 #include "detent/number/filter/leading.hpp"
@@ -204,13 +205,66 @@ template <Number T, Number Square, Number Over, Number Under, int Frac, class Er
   const auto rest_error =
       2 * (std::max)(shift_right_floor(error.raw() << up, down), std::int64_t{1});
   const auto product = wrapping_multiply<Int128>(ratio.over.raw(), value.raw());
+  // Below 2^62, as no product of `over` and the quotient is negative.
   const auto rest = integer_cast<std::int64_t>(square.raw()) -
                     integer_cast<std::int64_t>(shift_right_floor(product, Frac));
   const std::int64_t root =
-      square_root_floor(static_cast<std::uint64_t>(std::max<std::int64_t>(rest, 0)));
+      short_root_floor(static_cast<std::uint64_t>(std::max<std::int64_t>(rest, 0)));
   const std::int64_t beyond = rest - root * root;
   return {detail::clamp_root<T>(static_cast<std::uint64_t>(root)),
           rest_error <= beyond && beyond <= 2 * root - rest_error};
+}
+
+namespace detail {
+
+/// The root, rounded down and clamped, of a number that is at most `rest` and exceeds rest - error;
+/// it is `rest` if `is_exact`. 0 <= rest < 2^62.
+template <Number T>
+[[nodiscard]] constexpr Decided<T> decide_root_floor(std::int64_t rest, std::int64_t error,
+                                                     bool is_exact) noexcept {
+  const std::int64_t root = short_root_floor(static_cast<std::uint64_t>(rest));
+  const bool is_sure = rest - root * root >= error || is_exact;
+  if constexpr (T::bits < 31) return {clamp_root<T>(static_cast<std::uint64_t>(root)), is_sure};
+  return {T::assume_raw(static_cast<typename T::raw_type>(root)), is_sure};
+}
+
+}  // namespace detail
+
+/// Filter: the distance from a point to a segment, rounded down and clamped, from products of the
+/// vectors w from its start to the point and e to its end: w^2, w e and e^2 (docs/filters.md,
+/// lemma 43).
+template <Number T, int F>
+[[nodiscard]] constexpr Decided<T> decide_segment_distance(const Fixed<62, F>& square,
+                                                           const Fixed<62, F>& along,
+                                                           const Fixed<62, F>& whole) noexcept {
+  static_assert(F == 2 * T::frac);
+  const std::int64_t over = along.raw(), under = whole.raw();
+  const bool is_inside = 0 < over && over < under;
+  std::int64_t removed = over >= under ? 2 * over - under : 0;
+  if (is_inside) {
+    const auto left = static_cast<std::uint64_t>(over), all = static_cast<std::uint64_t>(under);
+    const int zeros = std::countl_zero(all | 1);  // GCC branches on 0
+    const std::uint64_t share =
+        multiply_words(left << zeros, detail::reciprocal(all << zeros)).high;
+    removed = static_cast<std::int64_t>(multiply_words(left << 2, share).high);
+  }
+  return detail::decide_root_floor<T>(square.raw() - removed, 18, !is_inside);
+}
+
+/// Filter: the distance from a point to an endless ray, rounded down and clamped, from products of
+/// the vector w from its origin to the point and its direction d: w^2, w d and d^2 (docs/filters.md,
+/// lemma 44). |along| must be below 2^61 steps.
+template <Number T, int F, int FA>
+[[nodiscard]] constexpr Decided<T> decide_line_distance(const Fixed<62, F>& square,
+                                                        const Fixed<61, FA>& along,
+                                                        const Fixed<61, 60>& whole) noexcept {
+  static_assert(F == 2 * T::frac && FA == T::frac + 30);
+  // GCC computes three products if it knows a sign.
+  const std::int64_t over = detail::in_register(std::max<std::int64_t>(along.raw(), 0));
+  const std::int64_t excess = whole.raw() - (std::int64_t{1} << 60);
+  const std::int64_t share = over - detail::high_word(over, shift_left(excess, 4)) - 1;
+  const std::int64_t removed = detail::high_word(shift_left(over, 2), shift_left(share, 2));
+  return detail::decide_root_floor<T>(square.raw() - removed, 68, over == 0);
 }
 
 }  // namespace detent

@@ -9,18 +9,6 @@
 
 namespace detent {
 
-namespace detail {
-
-/// x. GCC 12 would otherwise round two words in vector registers, and move them there and back.
-[[nodiscard]] constexpr std::int64_t in_register(std::int64_t x) noexcept {
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-  if (!std::is_constant_evaluated()) asm("" : "+r"(x));
-#endif
-  return x;
-}
-
-}  // namespace detail
-
 /// Filter: several quotients with the same denominator, from 2^-7 to 2 if `is_sure`
 /// (docs/filters.md, lemma 37).
 class SharedQuotient {

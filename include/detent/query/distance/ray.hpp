@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/math/width.hpp"
 #include "detent/number/filter/ratio.hpp"
 #include "detent/query/kernel/point_ray.hpp"
+
+// If g++ inlined the exact answer, it would save registers for it before every filtered one.
+#if defined(__GNUC__)
+#define DETENT_OUTLINE __attribute__((noinline))
+#else
+#define DETENT_OUTLINE
+#endif
 
 namespace detent {
 
@@ -17,27 +25,49 @@ template <Scalar S, int N>
   return detail::squared_distance_from_ray(ray, point);
 }
 
+namespace detail {
+
+/// `distance` to a ray, without a filter.
+template <Scalar S, int N>
+[[nodiscard]] DETENT_OUTLINE constexpr S exact_distance(const Ray<S, N>& ray,
+                                                        const Vec<S, N>& point) noexcept {
+  const auto squared = squared_distance(ray, point);
+  if (squared.denominator == 1) return sqrt_floor<S>(squared.numerator);
+  return sqrt_floor<S>(squared);
+}
+
+}  // namespace detail
+
 /// The distance from `point` to `ray`.
 ///
 /// units:  world units
 /// domain: every input; clamped to the greatest scalar, which is the result for a ray without
 ///         points
-/// exact:  rounded down, error in [0, 1) ULP                     (tests/oracle/point_ray.test.cpp)
+/// exact:  rounded down, error in [0, 1) ULP                       (tests/oracle/point_ray.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Ray<S, N>& ray, const Vec<S, N>& point) noexcept {
   if (ray.max_distance < 0) return largest<S>;
-  // Avoids the exact fraction if it is wide and the point projects onto the ray.
-  if constexpr (15 < bits_of<S>) {
+  if constexpr (is_fixed<S> && filter_pays<S>) {
+    using Component = direction_component<S>;
+    // No direction has a squared length below this.
+    constexpr auto shortest = Component::from_raw(Component(1).raw() - 4);
     const auto from_origin = point - ray.origin;
-    const auto along = dot(from_origin, ray.direction);
-    const auto whole = squared_length(ray.direction);
-    if (along > 0 && along < ray.max_distance * whole) {
-      const auto side =
-          decide_side_floor<S>(squared_length(from_origin), make_ratio_to_unit(along, whole));
-      return or_exact(side, [&] { return sqrt_floor<S>(squared_distance(ray, point)); });
+    if (fits<30>(from_origin)) [[likely]] {
+      const auto along = narrow_dot<61>(from_origin, ray.direction.vec());
+      if (along < ray.max_distance * shortest) [[likely]] {
+        const auto distance =
+            decide_line_distance<S>(narrow_dot<62>(from_origin, from_origin), along,
+                                    narrow<61>(squared_length(ray.direction)));
+        if (distance.is_sure) [[likely]]
+          return distance.value;
+      }
     }
+    return detail::exact_distance(ray, point);
+  } else {
+    return sqrt_floor<S>(squared_distance(ray, point));
   }
-  return sqrt_floor<S>(squared_distance(ray, point));
 }
 
 }  // namespace detent
+
+#undef DETENT_OUTLINE

@@ -10,6 +10,13 @@
 #include "detent/number/fraction.hpp"
 #include "detent/shape/segment.hpp"
 
+// If g++ inlined the exact answer, it would save registers for it before every filtered one.
+#if defined(__GNUC__)
+#define DETENT_OUTLINE __attribute__((noinline))
+#else
+#define DETENT_OUTLINE
+#endif
+
 namespace detent::detail {
 
 /// Whether `point` lies on `segment`, ends included.
@@ -70,12 +77,38 @@ template <Number Distance, Number T, int N>
   }
 }
 
+/// `distance` to a segment, in a result type that may differ from its coordinates, without the
+/// filter of words.
+template <Number Distance, Scalar S, int N>
+[[nodiscard]] constexpr Distance any_distance_to(const Segment<S, N>& segment,
+                                                 const Vec<S, N>& point) noexcept {
+  return by_width<30>([](const auto&... x) { return distance_from_edge<Distance>(x...); },
+                      segment.end - segment.start, point - segment.start);
+}
+template <Number Distance, Scalar S, int N>
+[[nodiscard]] DETENT_OUTLINE constexpr Distance outlined_distance_to(
+    const Segment<S, N>& segment, const Vec<S, N>& point) noexcept {
+  return any_distance_to<Distance>(segment, point);
+}
+
 /// `distance` to a segment, in a result type that may differ from its coordinates.
 template <Number Distance, Scalar S, int N>
 [[nodiscard]] constexpr Distance distance_to(const Segment<S, N>& segment,
                                              const Vec<S, N>& point) noexcept {
-  return by_width<30>([](const auto&... x) { return distance_from_edge<Distance>(x...); },
-                      segment.end - segment.start, point - segment.start);
+  if constexpr (is_fixed<S> && filter_pays<S> && has_long_registers) {
+    const auto e = segment.end - segment.start, w = point - segment.start;
+    if (fits<30>(e) && fits<30>(w)) [[likely]] {
+      const auto distance = decide_segment_distance<Distance>(
+          narrow_dot<62>(w, w), narrow_dot<62>(w, e), narrow_dot<62>(e, e));
+      if (distance.is_sure) [[likely]]
+        return distance.value;
+    }
+    return outlined_distance_to<Distance>(segment, point);
+  } else {
+    return any_distance_to<Distance>(segment, point);
+  }
 }
 
 }  // namespace detent::detail
+
+#undef DETENT_OUTLINE
