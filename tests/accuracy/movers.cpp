@@ -29,26 +29,57 @@ Walk<double> at_origin(Walk<double> walk) {
   return walk;
 }
 
-/// Where the character's feet are after the moves; disturb(i, mover) is called before move i.
-template <Scalar S, class Disturb>
-Vec<S, 3> end_of(const Walk<S>& walk, const Disturb& disturb) {
-  Scene<S, 3, Aabb, Obb> scene;
-  scene.add(walk.floor, {.motion = Motion::fixed});
-  for (const auto& box : walk.boxes) scene.add(box, {.motion = Motion::fixed});
+template <Scalar S>
+using World = Scene<S, 3, Aabb, Obb>;
+
+/// `step` along every axis, to a side that a bit of `sides` gives.
+Vec<double, 3> to_sides(double step, int sides) {
+  return make_vec<3>([&](int i) { return (sides >> i & 1) != 0 ? step : -step; });
+}
+
+/// A world in which the casts of a move are those of a coarse `Fixed`: each of a shape that is a
+/// step thinner than the one before (detail::Stepper), and up to a step off along every axis.
+struct Coarse : World<double> {
+  Coarse(double of, int first) : step(of), corner(first) {}
+
+  template <class Filter>
+  auto nearest_hit(Cast<Capsule<double, 3>> way, const Filter& filter) const {
+    const auto off = to_sides(step, corner + 3 * casts);
+    way.shape.a += off;
+    way.shape.b += off;
+    way.shape.radius -= casts++ * step;
+    return World<double>::nearest_hit(way, filter);
+  }
+  template <class Filter>
+  auto nearest_hit(const Ray<double, 3>& ray, const Filter& filter) const {
+    return World<double>::nearest_hit(ray, filter);
+  }
+
+  double step;
+  int corner;
+  mutable int casts = 0;  // in this move
+};
+
+/// Where the character's feet are after the moves in a world that is empty at first;
+/// disturb(i, mover, world) is called before move i.
+template <Scalar S, class In, class Disturb>
+Vec<S, 3> end_of(const Walk<S>& walk, In world, const Disturb& disturb) {
+  world.add(walk.floor, {.motion = Motion::fixed});
+  for (const auto& box : walk.boxes) world.add(box, {.motion = Motion::fixed});
   Mover<S, 3, Capsule> mover{walk.body};
   MoverSettings<S, 3> settings;
   // Numbers of every scalar; the skin is the least one of q8_8.
   settings.skin = quotient_nearest<S>(S(1), S(8));
   settings.step_height = settings.snap_distance = quotient_nearest<S>(S(3), S(8));
   for (int i = 0; i < moves; ++i) {
-    disturb(i, mover);
-    mover.move(scene, walk.by, settings);
+    disturb(i, mover, world);
+    mover.move(world, walk.by, settings);
   }
   return mover.shape.a;
 }
 template <Scalar S>
 Vec<S, 3> end_of(const Walk<S>& walk) {
-  return end_of(walk, [](int, const auto&) {});
+  return end_of(walk, World<S>(), [](int, const auto&, const auto&) {});
 }
 
 /// How far roundings may move a character in a walk: 8 steps of its scalar, and at least 1/256.
@@ -65,23 +96,30 @@ double step_of(const Numbers& numbers, int frac) {
 
 double length(const Vec<double, 3>& v) { return std::sqrt(dot(v, v)); }
 
-/// Whether a start that differs by up to `by` along each axis, or a smaller difference before every
-/// move, leads to another end, such as the other side of a box.
+/// Whether another start, other positions before every move or coarser casts lead to another end,
+/// such as the other side of a box. The start differs by up to `by` along each axis, the eighth
+/// cast of a move is thinner by as much.
 bool is_sensitive(const Walk<double>& walk, double by) {
+  using Walker = Mover<double, 3, Capsule>;
   const auto end = end_of(walk);
-  const auto is_other = [&](double step, bool every_move, int corner) {
-    const auto disturb = [&](int move, Mover<double, 3, Capsule>& mover) {
+  const auto is_other = [&](const Vec<double, 3>& other) {
+    return length(other - end) > amplification * by;
+  };
+  const auto moved = [&](double step, bool every_move, int corner) {
+    return end_of(walk, World<double>(), [&](int move, Walker& mover, const auto&) {
       if (move > 0 && !every_move) return;
-      const int sides = corner + 3 * move;
-      const auto off = make_vec<3>([&](int i) { return (sides >> i & 1) != 0 ? step : -step; });
+      const auto off = to_sides(step, corner + 3 * move);
       mover.shape.a += off;
       mover.shape.b += off;
-    };
-    return length(end_of(walk, disturb) - end) > amplification * by;
+    });
+  };
+  const auto coarse = [&](double step, int corner) {
+    return end_of(walk, Coarse(step, corner),
+                  [](int, const Walker&, Coarse& world) { world.casts = 0; });
   };
   for (int corner = 0; corner < 8; ++corner) {
-    if (is_other(by, false, corner) || is_other(by / 16, false, corner) ||
-        is_other(by / 4, true, corner)) {
+    if (is_other(moved(by, false, corner)) || is_other(moved(by / 16, false, corner)) ||
+        is_other(moved(by / 4, true, corner)) || is_other(coarse(by / 8, corner))) {
       return true;
     }
   }
@@ -125,7 +163,7 @@ struct Character : WithoutBaseline {
   static Question draw(test::Random& random, const Numbers& numbers, const Rung& rung) {
     const double by = tolerance(step_of(numbers, rung.frac));
     for (;;) {
-      auto walk = draw_any(random, numbers, rung);
+      auto walk = change(Snapped{numbers, rung.frac}, draw_any(random, numbers, rung));
       if (!is_sensitive(at_origin(change(Rounded<double>{rung.frac}, walk)), by)) return walk;
     }
   }

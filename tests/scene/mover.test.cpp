@@ -145,6 +145,24 @@ TEMPLATE_TEST_CASE("mover: a step higher than the limit is a wall", "", q16_16, 
   CHECK(level.feet(walker) == Approx(0.45 + 1.0 / 64).margin(0.01));
 }
 
+TEMPLATE_TEST_CASE("mover: climbs slowly over an edge onto any slope that is not too steep", "",
+                   q16_16, float) {
+  using S = TestType;
+  for (const int most : {35, 50, 70}) {
+    for (const int degrees : {30, most - 6, most - 1, most + 2}) {
+      Level<S> level;
+      const auto floor = level.floor();
+      const auto slope = level.ledge(degrees, 30);
+      level.settings.max_slope = Angle<S>::turn(most, 360);
+      auto walker = level.person(-60, 2, 0);
+      level.walk(walker, 60, 1);
+      CAPTURE(most, degrees);
+      CHECK(walker.ground.is_grounded);
+      CHECK(walker.ground.object == (degrees < most ? slope : floor));
+    }
+  }
+}
+
 TEMPLATE_TEST_CASE("mover: slides along a wall at its velocity's component along the wall", "",
                    q16_16, float) {
   Level<TestType> level;

@@ -25,12 +25,10 @@ struct Level {
     return box(at(-2000, height - 100, -2000), at(2000, height, 2000));
   }
   /// A slope that rises along x, through the origin.
-  ObjectId slope(int degrees) {
-    const auto turn =
-        Rotation<S, 3>::from_axis_angle(Direction<S, 3>::along(2), Angle<S>::turn(degrees, 360));
-    const auto depth = number(200);
-    const auto center = nearest_to<S>(turn.axis(1) * -depth);
-    return world.add(Obb<S, 3>{center, at(1000, 200, 1000), turn}).value_or(no_object);
+  ObjectId slope(int degrees) { return slope(degrees, at(0, 0, 0)); }
+  /// A slope that rises along x from an edge, which overhangs the floor.
+  ObjectId ledge(int degrees, int height) {
+    return slope(degrees, nearest_to<S>(turn(degrees).axis(0) * number(1000) + at(0, height, 0)));
   }
 
   /// A person 1.8 high, with its feet at a point.
@@ -52,6 +50,15 @@ struct Level {
       result = walker.move(world, at(east, -4, south), settings);
     }
     return result;
+  }
+
+ private:
+  static Rotation<S, 3> turn(int degrees) {
+    return Rotation<S, 3>::from_axis_angle(Direction<S, 3>::along(2), Angle<S>::turn(degrees, 360));
+  }
+  ObjectId slope(int degrees, const Vec<S, 3>& middle) {
+    const auto center = nearest_to<S>(middle + turn(degrees).axis(1) * -number(200));
+    return world.add(Obb<S, 3>{center, at(1000, 200, 1000), turn(degrees)}).value_or(no_object);
   }
 };
 

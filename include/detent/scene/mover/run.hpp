@@ -214,10 +214,12 @@ class MoverRun {
     const auto away =
         direction_of<S>(nearest_to<direction_component<S>>(hit.normal.vec() - up_.vec() * slope));
     if (!away) return std::nullopt;
-    const auto origin = nearest_to<S>(hit.point + up_ * skin_ - *away * skin_);
+    // So near that the steepest ground is less than a skin higher or lower than the edge.
+    const S inward = floor_to<S>(skin_ * least_cosine_);
+    const auto origin = nearest_to<S>(hit.point + up_ * skin_ - *away * inward);
     const Ray<S, N> ray{origin, -up_, nearest_to<S>(skin_ + skin_)};
     const auto below = world_.nearest_hit(ray, steps_.passes());
-    // A ray that starts in a solid is under a steep slope.
+    // A ray that starts in a solid is under a steeper slope.
     if (!below || below->distance <= 0 || !is_flat(below->normal)) return std::nullopt;
     return below->normal;
   }
