@@ -296,8 +296,8 @@ TEMPLATE_TEST_CASE("set_gravity_scale, set_damping, set_locked, set_fast, set_us
 }
 
 TEMPLATE_TEST_CASE(
-    "set_gravity_scale, set_damping, set_locked, set_fast: wake a body; set_user not", "", Dim<2>,
-    Dim<3>) {
+    "set_gravity_scale, set_damping, set_locked, set_fast: wake a body, but set_user does not", "",
+    Dim<2>, Dim<3>) {
   constexpr int N = TestType::value;
   World<S, N, Obb> world;
   const auto floor = *world.add(box_of<S, N>(0, -1, 9, 1), {.motion = BodyMotion::fixed});
