@@ -1368,6 +1368,30 @@ DETENT_API detent_status detent_world2_set_restitution(detent_context* context,
 DETENT_API detent_status detent_world2_set_sensor(detent_context* context, detent_handle world,
                                                     detent_id id, uint32_t is_sensor);
 
+/** Sets a body's factor on the world's gravity, in steps of 2^-16, otherwise like
+ *  `detent_world2_set_filter`. */
+DETENT_API detent_status detent_world2_set_gravity_scale(detent_context* context,
+                                                           detent_handle world, detent_id id,
+                                                           int32_t scale);
+
+/** Sets the damping of a body's velocity and of its spin, in steps of 2^-16 and at least 0, otherwise
+ *  like `detent_world2_set_filter`. */
+DETENT_API detent_status detent_world2_set_damping(detent_context* context, detent_handle world,
+                                                     detent_id id, int32_t linear, int32_t angular);
+
+/** Sets the locked axes of a body, DETENT_LOCK_X | ..., otherwise like
+ *  `detent_world2_set_filter`. */
+DETENT_API detent_status detent_world2_set_locked(detent_context* context, detent_handle world,
+                                                    detent_id id, uint32_t locked);
+
+/** Makes a body fast (1) or not (0), otherwise like `detent_world2_set_filter`. */
+DETENT_API detent_status detent_world2_set_fast(detent_context* context, detent_handle world,
+                                                  detent_id id, uint32_t is_fast);
+
+/** Sets the user word of a body, otherwise like `detent_world2_set_filter`, but wakes nothing. */
+DETENT_API detent_status detent_world2_set_user(detent_context* context, detent_handle world,
+                                                  detent_id id, uint64_t user);
+
 /** Sets the velocity of a body, in units per second, and wakes it. Does nothing to fixed bodies. */
 DETENT_API detent_status detent_world2_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec2* velocity);
@@ -2079,6 +2103,30 @@ DETENT_API detent_status detent_world3_set_restitution(detent_context* context,
 /** Makes a body a sensor (1) or solid (0), otherwise like `detent_world3_set_filter`. */
 DETENT_API detent_status detent_world3_set_sensor(detent_context* context, detent_handle world,
                                                     detent_id id, uint32_t is_sensor);
+
+/** Sets a body's factor on the world's gravity, in steps of 2^-16, otherwise like
+ *  `detent_world3_set_filter`. */
+DETENT_API detent_status detent_world3_set_gravity_scale(detent_context* context,
+                                                           detent_handle world, detent_id id,
+                                                           int32_t scale);
+
+/** Sets the damping of a body's velocity and of its spin, in steps of 2^-16 and at least 0, otherwise
+ *  like `detent_world3_set_filter`. */
+DETENT_API detent_status detent_world3_set_damping(detent_context* context, detent_handle world,
+                                                     detent_id id, int32_t linear, int32_t angular);
+
+/** Sets the locked axes of a body, DETENT_LOCK_X | ..., otherwise like
+ *  `detent_world3_set_filter`. */
+DETENT_API detent_status detent_world3_set_locked(detent_context* context, detent_handle world,
+                                                    detent_id id, uint32_t locked);
+
+/** Makes a body fast (1) or not (0), otherwise like `detent_world3_set_filter`. */
+DETENT_API detent_status detent_world3_set_fast(detent_context* context, detent_handle world,
+                                                  detent_id id, uint32_t is_fast);
+
+/** Sets the user word of a body, otherwise like `detent_world3_set_filter`, but wakes nothing. */
+DETENT_API detent_status detent_world3_set_user(detent_context* context, detent_handle world,
+                                                  detent_id id, uint64_t user);
 
 /** Sets the velocity of a body, in units per second, and wakes it. Does nothing to fixed bodies. */
 DETENT_API detent_status detent_world3_set_velocity(detent_context* context, detent_handle world,

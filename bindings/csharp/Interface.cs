@@ -1159,6 +1159,21 @@ public static unsafe class C {
   public static extern int detent_world2_set_sensor(ContextMemory* context, uint world, Id id, uint is_sensor);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_set_gravity_scale(ContextMemory* context, uint world, Id id, int scale);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_set_damping(ContextMemory* context, uint world, Id id, int linear, int angular);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_set_locked(ContextMemory* context, uint world, Id id, uint locked);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_set_fast(ContextMemory* context, uint world, Id id, uint is_fast);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_set_user(ContextMemory* context, uint world, Id id, ulong user);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_set_velocity(ContextMemory* context, uint world, Id id, Vec2* velocity);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1541,6 +1556,21 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_set_sensor(ContextMemory* context, uint world, Id id, uint is_sensor);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_set_gravity_scale(ContextMemory* context, uint world, Id id, int scale);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_set_damping(ContextMemory* context, uint world, Id id, int linear, int angular);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_set_locked(ContextMemory* context, uint world, Id id, uint locked);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_set_fast(ContextMemory* context, uint world, Id id, uint is_fast);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_set_user(ContextMemory* context, uint world, Id id, ulong user);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_set_velocity(ContextMemory* context, uint world, Id id, Vec3* velocity);

@@ -203,6 +203,21 @@ public unsafe class World2 {
   public bool SetSensor(Id id, bool isSensor) {
     return Number.Check(C.detent_world2_set_sensor(context.Memory, Handle, id, isSensor ? 1u : 0u));
   }
+  public bool SetGravityScale(Id id, int scale) {
+    return Number.Check(C.detent_world2_set_gravity_scale(context.Memory, Handle, id, scale));
+  }
+  public bool SetDamping(Id id, int linear, int angular) {
+    return Number.Check(C.detent_world2_set_damping(context.Memory, Handle, id, linear, angular));
+  }
+  public bool SetLocked(Id id, uint locked) {
+    return Number.Check(C.detent_world2_set_locked(context.Memory, Handle, id, locked));
+  }
+  public bool SetFast(Id id, bool isFast) {
+    return Number.Check(C.detent_world2_set_fast(context.Memory, Handle, id, isFast ? 1u : 0u));
+  }
+  public bool SetUser(Id id, ulong user) {
+    return Number.Check(C.detent_world2_set_user(context.Memory, Handle, id, user));
+  }
   /// <summary>Writes as many contacts of a body as there is room for; new Id() for those of all.
   /// Returns how many there are. The first `count` of their points are set.</summary>
   public int Contacts(Id id, World2Contact[] contacts) {
@@ -599,6 +614,21 @@ public unsafe class World3 {
   }
   public bool SetSensor(Id id, bool isSensor) {
     return Number.Check(C.detent_world3_set_sensor(context.Memory, Handle, id, isSensor ? 1u : 0u));
+  }
+  public bool SetGravityScale(Id id, int scale) {
+    return Number.Check(C.detent_world3_set_gravity_scale(context.Memory, Handle, id, scale));
+  }
+  public bool SetDamping(Id id, int linear, int angular) {
+    return Number.Check(C.detent_world3_set_damping(context.Memory, Handle, id, linear, angular));
+  }
+  public bool SetLocked(Id id, uint locked) {
+    return Number.Check(C.detent_world3_set_locked(context.Memory, Handle, id, locked));
+  }
+  public bool SetFast(Id id, bool isFast) {
+    return Number.Check(C.detent_world3_set_fast(context.Memory, Handle, id, isFast ? 1u : 0u));
+  }
+  public bool SetUser(Id id, ulong user) {
+    return Number.Check(C.detent_world3_set_user(context.Memory, Handle, id, user));
   }
   /// <summary>Writes as many contacts of a body as there is room for; new Id() for those of all.
   /// Returns how many there are. The first `count` of their points are set.</summary>

@@ -223,6 +223,13 @@ export declare class World<D extends Of> extends Held {
   setFriction(id: Id, friction: number): boolean;
   setRestitution(id: Id, restitution: number): boolean;
   setSensor(id: Id, isSensor: boolean): boolean;
+  setGravityScale(id: Id, scale: number): boolean;
+  setDamping(id: Id, linear: number, angular: number): boolean;
+  /** `locked` is `status.LOCK_X` and so on, added up. */
+  setLocked(id: Id, locked: number): boolean;
+  setFast(id: Id, isFast: boolean): boolean;
+  /** Wakes nothing. */
+  setUser(id: Id, user: bigint | number): boolean;
   setVelocity(id: Id, velocity: D['vec']): boolean;
   setAngularVelocity(id: Id, velocity: number[]): boolean;
   applyImpulse(id: Id, impulse: D['vec'], at?: D['vec']): boolean;

@@ -891,6 +891,23 @@ class World extends Held {
   setSensor(id, isSensor) {
     return this.call((memory) => this.run('set_sensor', memory.put('detent_id', id), isSensor ? 1 : 0));
   }
+  setGravityScale(id, scale) {
+    return this.call((memory) => this.run('set_gravity_scale', memory.put('detent_id', id), scale));
+  }
+  setDamping(id, linear, angular) {
+    return this.call((memory) => this.run('set_damping', memory.put('detent_id', id), linear, angular));
+  }
+  /** Sets the locked axes: `status.LOCK_X` and so on, added up. */
+  setLocked(id, locked) {
+    return this.call((memory) => this.run('set_locked', memory.put('detent_id', id), locked));
+  }
+  setFast(id, isFast) {
+    return this.call((memory) => this.run('set_fast', memory.put('detent_id', id), isFast ? 1 : 0));
+  }
+  /** Sets the user word of a body; wakes nothing. */
+  setUser(id, user) {
+    return this.call((memory) => this.run('set_user', memory.put('detent_id', id), BigInt(user)));
+  }
   /** Turns a body about its center at once; it keeps its joints. */
   setRotation(id, axis) {
     return this.call((memory) =>

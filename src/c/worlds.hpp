@@ -64,6 +64,7 @@ struct Worlds {
   using Settings = typename World::Settings;
   using Options = typename World::Options;
   static constexpr Kind kind = N == 2 ? Kind::world2 : Kind::world3;
+  static constexpr std::uint32_t every_lock = 63;  // the bits of AxisLock, in 2D too
 
   static detent_status default_settings(typename T::Settings* out) {
     if (out == nullptr) return DETENT_BAD_ARGUMENT;
@@ -263,6 +264,34 @@ struct Worlds {
                                   std::uint32_t is_sensor) {
     return change_body(context, world, id, is_sensor <= 1,
                        [&](World& object) { object.set_sensor(id_of(id), is_sensor == 1); });
+  }
+  static detent_status set_gravity_scale(detent_context* context, detent_handle world, detent_id id,
+                                         std::int32_t scale) {
+    return change(context, world, [&](World& object) {
+      return yes_or_no(object.set_gravity_scale(id_of(id), Input<N>::number(scale)));
+    });
+  }
+  static detent_status set_damping(detent_context* context, detent_handle world, detent_id id,
+                                   std::int32_t linear, std::int32_t angular) {
+    return change_body(context, world, id, linear >= 0 && angular >= 0, [&](World& object) {
+      object.set_damping(id_of(id), Input<N>::number(linear), Input<N>::number(angular));
+    });
+  }
+  static detent_status set_locked(detent_context* context, detent_handle world, detent_id id,
+                                  std::uint32_t locked) {
+    return change_body(context, world, id, locked <= every_lock, [&](World& object) {
+      object.set_locked(id_of(id), static_cast<std::uint8_t>(locked));
+    });
+  }
+  static detent_status set_fast(detent_context* context, detent_handle world, detent_id id,
+                                std::uint32_t is_fast) {
+    return change_body(context, world, id, is_fast <= 1,
+                       [&](World& object) { object.set_fast(id_of(id), is_fast == 1); });
+  }
+  static detent_status set_user(detent_context* context, detent_handle world, detent_id id,
+                                std::uint64_t user) {
+    return change(context, world,
+                  [&](World& object) { return yes_or_no(object.set_user(id_of(id), user)); });
   }
   static detent_status set_velocity(detent_context* context, detent_handle world, detent_id id,
                                     const typename T::Vec* velocity) {
@@ -661,7 +690,7 @@ struct Worlds {
     if (options == nullptr) return true;
     if (options->motion > DETENT_FIXED_BODY || options->friction < 0 || options->restitution < 0 ||
         options->rolling_resistance < 0 || options->linear_damping < 0 ||
-        options->angular_damping < 0 || options->locked > 63 || options->is_sensor > 1 ||
+        options->angular_damping < 0 || options->locked > every_lock || options->is_sensor > 1 ||
         options->is_fast > 1) {
       return false;
     }

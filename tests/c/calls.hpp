@@ -119,12 +119,17 @@ struct Calls;
     DETENT_TEST_CALL(world, N, _remove_joint)         \
     DETENT_TEST_CALL(world, N, _restore)              \
     DETENT_TEST_CALL(world, N, _set_angular_velocity) \
+    DETENT_TEST_CALL(world, N, _set_damping)          \
+    DETENT_TEST_CALL(world, N, _set_fast)             \
     DETENT_TEST_CALL(world, N, _set_filter)           \
     DETENT_TEST_CALL(world, N, _set_friction)         \
+    DETENT_TEST_CALL(world, N, _set_gravity_scale)    \
+    DETENT_TEST_CALL(world, N, _set_locked)           \
     DETENT_TEST_CALL(world, N, _set_position)         \
     DETENT_TEST_CALL(world, N, _set_restitution)      \
     DETENT_TEST_CALL(world, N, _set_rotation)         \
     DETENT_TEST_CALL(world, N, _set_sensor)           \
+    DETENT_TEST_CALL(world, N, _set_user)             \
     DETENT_TEST_CALL(world, N, _set_velocity)         \
     DETENT_TEST_CALL(world, N, _size)                 \
     DETENT_TEST_CALL(world, N, _snapshot)             \

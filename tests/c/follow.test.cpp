@@ -304,6 +304,17 @@ void check_contacts() {
       REQUIRE(f.twin.set_restitution(id_of(f.ball), raw(one / 2)));
       REQUIRE(C::world_set_sensor(&context, f.world, f.zone, 0) == DETENT_OK);
       REQUIRE(f.twin.set_sensor(id_of(f.zone), false));
+      REQUIRE(C::world_set_gravity_scale(&context, f.world, f.hull, -one / 4) == DETENT_OK);
+      REQUIRE(f.twin.set_gravity_scale(id_of(f.hull), raw(-one / 4)));
+      REQUIRE(C::world_set_damping(&context, f.world, f.compounds[0], one / 2, 3) == DETENT_OK);
+      REQUIRE(f.twin.set_damping(id_of(f.compounds[0]), raw(one / 2), raw(3)));
+      REQUIRE(C::world_set_locked(&context, f.world, f.compounds[1], 63) == DETENT_OK);
+      REQUIRE(f.twin.set_locked(id_of(f.compounds[1]), 63));
+      REQUIRE(C::world_set_fast(&context, f.world, f.ball, 1) == DETENT_OK);
+      REQUIRE(f.twin.set_fast(id_of(f.ball), true));
+      REQUIRE(C::world_set_user(&context, f.world, f.ball, ~0ull - 5) == DETENT_OK);
+      REQUIRE(f.twin.set_user(id_of(f.ball), ~0ull - 5));
+      CHECK((f.saved() == snapshot(f.twin)));
     }
     f.step();
     const auto now = contacts({});
@@ -339,11 +350,21 @@ void check_contacts() {
   CHECK(C::world_set_friction(&context, f.world, f.ball, -1) == DETENT_BAD_ARGUMENT);
   CHECK(C::world_set_restitution(&context, f.world, f.ball, -1) == DETENT_BAD_ARGUMENT);
   CHECK(C::world_set_sensor(&context, f.world, f.ball, 2) == DETENT_BAD_ARGUMENT);
+  CHECK(C::world_set_damping(&context, f.world, f.ball, -1, 0) == DETENT_BAD_ARGUMENT);
+  CHECK(C::world_set_damping(&context, f.world, f.ball, 0, -1) == DETENT_BAD_ARGUMENT);
+  CHECK(C::world_set_locked(&context, f.world, f.ball, 64) == DETENT_BAD_ARGUMENT);
+  CHECK(C::world_set_locked(&context, f.world, f.ball, 256) == DETENT_BAD_ARGUMENT);
+  CHECK(C::world_set_fast(&context, f.world, f.ball, 2) == DETENT_BAD_ARGUMENT);
   const detent_id none{f.ball.index, f.ball.generation + 1};
   CHECK(C::world_set_filter(&context, f.world, none, 1, 1) == DETENT_NO);
   CHECK(C::world_set_friction(&context, f.world, none, 1) == DETENT_NO);
   CHECK(C::world_set_restitution(&context, f.world, none, 1) == DETENT_NO);
   CHECK(C::world_set_sensor(&context, f.world, none, 1) == DETENT_NO);
+  CHECK(C::world_set_gravity_scale(&context, f.world, none, 1) == DETENT_NO);
+  CHECK(C::world_set_damping(&context, f.world, none, 1, 1) == DETENT_NO);
+  CHECK(C::world_set_locked(&context, f.world, none, 1) == DETENT_NO);
+  CHECK(C::world_set_fast(&context, f.world, none, 1) == DETENT_NO);
+  CHECK(C::world_set_user(&context, f.world, none, 1) == DETENT_NO);
   CHECK(contacts(none).empty());
   CHECK((f.saved() == snapshot(f.twin)));
 }

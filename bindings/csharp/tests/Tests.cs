@@ -82,8 +82,14 @@ static class Tests {
       Expect(Math.Abs(contacts[0].impulse - 4 * 10 * One / 240) < 500, "an impulse");
       Expect(world.SetFriction(box, One / 4) && world.SetRestitution(box, One / 2), "a material");
       Expect(world.SetSensor(box, true) && world.SetFilter(box, 2, 4), "a filter");
+      Expect(world.SetGravityScale(box, -One) && world.SetDamping(box, 0, One), "gravity");
+      Expect(world.SetLocked(box, C.LOCK_X) && world.SetFast(box, true) && world.SetUser(box, 7), "other setters");
+      world.SetVelocity(box, At(One, 0));
       world.Step();
       Expect(world.Contacts(box, contacts) == 0, "no contacts");
+      Body2 body;
+      Expect(world.Get(box, out body) && body.velocity.x == 0, "a lock");
+      Expect(Math.Abs(body.velocity.y - 10 * One / 60) < 20, "it rises");
     }
   }
 

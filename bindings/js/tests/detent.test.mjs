@@ -122,12 +122,22 @@ test('contacts and setters of bodies', async () => {
   assert.equal(world.setRestitution(box, ONE / 2), true);
   assert.equal(world.setSensor(box, true), true);
   assert.equal(world.setFilter(box, 2, 4), true);
-  const { layers, collides_with, is_sensor } = world.info(box);
-  assert.deepEqual([layers, collides_with, is_sensor], [2, 4, 1]);
+  assert.equal(world.setGravityScale(box, -ONE), true);
+  assert.equal(world.setDamping(box, 0, ONE), true);
+  assert.equal(world.setLocked(box, detent.status.LOCK_X), true);
+  assert.equal(world.setFast(box, true), true);
+  assert.equal(world.setUser(box, 2n ** 64n - 2n), true);
+  const { layers, collides_with, is_sensor, user } = world.info(box);
+  assert.deepEqual([layers, collides_with, is_sensor, user], [2, 4, 1, 2n ** 64n - 2n]);
+  world.setVelocity(box, [ONE, 0, 0]);
   world.step();
   assert.deepEqual([world.contacts(), world.events().length], [[], 1]);
+  const [along, up] = world.body(box).velocity;
+  assert.equal(along, 0);  // locked
+  assert.ok(Math.abs(up - 10 * ONE / 60) < 20);  // it rises, undamped
   assert.equal(world.setFilter({ index: 9, generation: 9 }, 1, 1), false);
   assert.throws(() => world.setFriction(box, -1), detent.DetentError);
+  assert.throws(() => world.setDamping(box, 0, -1), detent.DetentError);
   context.close();
 });
 

@@ -867,6 +867,17 @@ detent_status detent_world2_set_restitution(detent_context* context,
                                                          int32_t restitution);
 detent_status detent_world2_set_sensor(detent_context* context, detent_handle world,
                                                     detent_id id, uint32_t is_sensor);
+detent_status detent_world2_set_gravity_scale(detent_context* context,
+                                                           detent_handle world, detent_id id,
+                                                           int32_t scale);
+detent_status detent_world2_set_damping(detent_context* context, detent_handle world,
+                                                     detent_id id, int32_t linear, int32_t angular);
+detent_status detent_world2_set_locked(detent_context* context, detent_handle world,
+                                                    detent_id id, uint32_t locked);
+detent_status detent_world2_set_fast(detent_context* context, detent_handle world,
+                                                  detent_id id, uint32_t is_fast);
+detent_status detent_world2_set_user(detent_context* context, detent_handle world,
+                                                  detent_id id, uint64_t user);
 detent_status detent_world2_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec2* velocity);
 detent_status detent_world2_set_angular_velocity(detent_context* context,
@@ -1211,6 +1222,17 @@ detent_status detent_world3_set_restitution(detent_context* context,
                                                          int32_t restitution);
 detent_status detent_world3_set_sensor(detent_context* context, detent_handle world,
                                                     detent_id id, uint32_t is_sensor);
+detent_status detent_world3_set_gravity_scale(detent_context* context,
+                                                           detent_handle world, detent_id id,
+                                                           int32_t scale);
+detent_status detent_world3_set_damping(detent_context* context, detent_handle world,
+                                                     detent_id id, int32_t linear, int32_t angular);
+detent_status detent_world3_set_locked(detent_context* context, detent_handle world,
+                                                    detent_id id, uint32_t locked);
+detent_status detent_world3_set_fast(detent_context* context, detent_handle world,
+                                                  detent_id id, uint32_t is_fast);
+detent_status detent_world3_set_user(detent_context* context, detent_handle world,
+                                                  detent_id id, uint64_t user);
 detent_status detent_world3_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec3* velocity);
 detent_status detent_world3_set_angular_velocity(detent_context* context,

@@ -63,8 +63,13 @@ function tests.contacts_and_setters_of_bodies()
   assert(contact.normal.y == UNIT and math.abs(contact.impulse - 4 * 10 * ONE / 240) < 500)
   assert(world:set_friction(box, ONE / 4) and world:set_restitution(box, ONE / 2))
   assert(world:set_sensor(box, 1) and world:set_filter(box, 2, 4))
+  assert(world:set_gravity_scale(box, -ONE) and world:set_damping(box, 0, ONE))
+  assert(world:set_locked(box, detent.c.DETENT_LOCK_X) and world:set_fast(box, 1) and world:set_user(box, 7))
+  world:set_velocity(box, d2.vec(ONE, 0))
   world:step()
   assert(#world:contacts() == 0)
+  local velocity = world:body(box).velocity  -- locked along x; it rises, undamped
+  assert(velocity.x == 0 and math.abs(velocity.y - 10 * ONE / 60) < 20)
   context:close()
 end
 

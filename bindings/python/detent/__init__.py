@@ -32,6 +32,7 @@ ONE = 1 << 16
 UNIT = 1 << 30
 ALL_LAYERS = 0xffffffff
 DYNAMIC, KINEMATIC, FIXED = 0, 1, 2
+LOCK_X, LOCK_Y, LOCK_Z, LOCK_TURN_X, LOCK_TURN_Y, LOCK_TURN_Z = 1, 2, 4, 8, 16, 32  # locked axes
 DISTANCE, BALL, HINGE, WELD, SLIDER, WHEEL, CONE = range(1, 8)  # kinds of joint
 
 
@@ -761,6 +762,23 @@ class World(_Held):
     def set_sensor(self, which, is_sensor):
         """Makes a body a sensor or solid."""
         return self._call('set_sensor', which._in_c(), int(is_sensor))
+
+    def set_gravity_scale(self, which, scale):
+        return self._call('set_gravity_scale', which._in_c(), scale)
+
+    def set_damping(self, which, linear, angular):
+        return self._call('set_damping', which._in_c(), linear, angular)
+
+    def set_locked(self, which, locked):
+        """Sets the locked axes: LOCK_X | ..."""
+        return self._call('set_locked', which._in_c(), locked)
+
+    def set_fast(self, which, is_fast):
+        return self._call('set_fast', which._in_c(), int(is_fast))
+
+    def set_user(self, which, user):
+        """Sets the user word of a body; wakes nothing."""
+        return self._call('set_user', which._in_c(), user)
 
     def set_velocity(self, which, velocity):
         return self._call('set_velocity', which._in_c(), self._space._vec(*velocity))

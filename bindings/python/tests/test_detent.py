@@ -136,13 +136,27 @@ class Test(unittest.TestCase):
         self.assertTrue(world.set_restitution(box, ONE // 2))
         self.assertTrue(world.set_sensor(box, True))
         self.assertTrue(world.set_filter(box, 2, 4))
+        self.assertTrue(world.set_gravity_scale(box, -ONE))
+        self.assertTrue(world.set_damping(box, 0, ONE))
+        self.assertTrue(world.set_locked(box, detent.LOCK_X | detent.LOCK_TURN_Z))
+        self.assertTrue(world.set_fast(box, True))
+        self.assertTrue(world.set_user(box, 2 ** 64 - 2))
         info = world.info(box)
-        self.assertEqual((info.layers, info.collides_with, info.is_sensor), (2, 4, 1))
+        self.assertEqual((info.layers, info.collides_with, info.is_sensor, info.user), (2, 4, 1, 2 ** 64 - 2))
+        world.set_velocity(box, (ONE, 0))
         world.step()
         self.assertEqual((world.contacts(), world.events()), ([], [(floor, box, False)]))
+        velocity = world.body(box).velocity
+        self.assertEqual(velocity.x, 0)  # locked
+        self.assertAlmostEqual(velocity.y, 10 * ONE // 60, delta=20)  # it rises, undamped
         self.assertFalse(world.set_filter(detent.Id(9, 9), 1, 1))
         with self.assertRaises(detent.Error):
             world.set_friction(box, -1)
+        for linear, angular in ((-1, 0), (0, -1)):
+            with self.assertRaises(detent.Error):
+                world.set_damping(box, linear, angular)
+        with self.assertRaises(detent.Error):
+            world.set_locked(box, 64)
 
     def test_worlds(self):
         world = self.context.world2(gravity=(0, -20 * ONE))

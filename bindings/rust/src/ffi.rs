@@ -1087,6 +1087,11 @@ extern "C" {
     pub fn detent_world2_set_friction(context: *mut Context, world: u32, id: Id, friction: i32) -> i32;
     pub fn detent_world2_set_restitution(context: *mut Context, world: u32, id: Id, restitution: i32) -> i32;
     pub fn detent_world2_set_sensor(context: *mut Context, world: u32, id: Id, is_sensor: u32) -> i32;
+    pub fn detent_world2_set_gravity_scale(context: *mut Context, world: u32, id: Id, scale: i32) -> i32;
+    pub fn detent_world2_set_damping(context: *mut Context, world: u32, id: Id, linear: i32, angular: i32) -> i32;
+    pub fn detent_world2_set_locked(context: *mut Context, world: u32, id: Id, locked: u32) -> i32;
+    pub fn detent_world2_set_fast(context: *mut Context, world: u32, id: Id, is_fast: u32) -> i32;
+    pub fn detent_world2_set_user(context: *mut Context, world: u32, id: Id, user: u64) -> i32;
     pub fn detent_world2_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec2) -> i32;
     pub fn detent_world2_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
     pub fn detent_world2_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec2, at: *const Vec2) -> i32;
@@ -1215,6 +1220,11 @@ extern "C" {
     pub fn detent_world3_set_friction(context: *mut Context, world: u32, id: Id, friction: i32) -> i32;
     pub fn detent_world3_set_restitution(context: *mut Context, world: u32, id: Id, restitution: i32) -> i32;
     pub fn detent_world3_set_sensor(context: *mut Context, world: u32, id: Id, is_sensor: u32) -> i32;
+    pub fn detent_world3_set_gravity_scale(context: *mut Context, world: u32, id: Id, scale: i32) -> i32;
+    pub fn detent_world3_set_damping(context: *mut Context, world: u32, id: Id, linear: i32, angular: i32) -> i32;
+    pub fn detent_world3_set_locked(context: *mut Context, world: u32, id: Id, locked: u32) -> i32;
+    pub fn detent_world3_set_fast(context: *mut Context, world: u32, id: Id, is_fast: u32) -> i32;
+    pub fn detent_world3_set_user(context: *mut Context, world: u32, id: Id, user: u64) -> i32;
     pub fn detent_world3_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec3) -> i32;
     pub fn detent_world3_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
     pub fn detent_world3_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec3, at: *const Vec3) -> i32;

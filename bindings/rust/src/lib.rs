@@ -843,6 +843,28 @@ macro_rules! space {
                 pub fn set_sensor(&mut self, id: Id, is_sensor: bool) -> Result<bool> {
                     check(unsafe { world_set_sensor(self.at(), self.handle, id, is_sensor as u32) })
                 }
+                /// Sets a body's factor on the world's gravity, in steps of 2^-16.
+                pub fn set_gravity_scale(&mut self, id: Id, scale: i32) -> Result<bool> {
+                    check(unsafe { world_set_gravity_scale(self.at(), self.handle, id, scale) })
+                }
+                /// Sets the damping of a body's velocity and of its spin, in steps of 2^-16.
+                pub fn set_damping(&mut self, id: Id, linear: i32, angular: i32) -> Result<bool> {
+                    check(unsafe {
+                        world_set_damping(self.at(), self.handle, id, linear, angular)
+                    })
+                }
+                /// Sets the locked axes of a body: `ffi::LOCK_X` and so on.
+                pub fn set_locked(&mut self, id: Id, locked: u32) -> Result<bool> {
+                    check(unsafe { world_set_locked(self.at(), self.handle, id, locked) })
+                }
+                /// Makes a body fast or not.
+                pub fn set_fast(&mut self, id: Id, is_fast: bool) -> Result<bool> {
+                    check(unsafe { world_set_fast(self.at(), self.handle, id, is_fast as u32) })
+                }
+                /// Sets the user word of a body; wakes nothing.
+                pub fn set_user(&mut self, id: Id, user: u64) -> Result<bool> {
+                    check(unsafe { world_set_user(self.at(), self.handle, id, user) })
+                }
                 /// Sets the velocity of a body and wakes it.
                 pub fn set_velocity(&mut self, id: Id, velocity: [i32; $n]) -> Result<bool> {
                     check(unsafe { world_set_velocity(self.at(), self.handle, id, &vec(velocity)) })
@@ -1222,6 +1244,11 @@ space! {
     world_set_friction = detent_world2_set_friction,
     world_set_restitution = detent_world2_set_restitution,
     world_set_sensor = detent_world2_set_sensor,
+    world_set_gravity_scale = detent_world2_set_gravity_scale,
+    world_set_damping = detent_world2_set_damping,
+    world_set_locked = detent_world2_set_locked,
+    world_set_fast = detent_world2_set_fast,
+    world_set_user = detent_world2_set_user,
     world_set_velocity = detent_world2_set_velocity,
     world_set_angular_velocity = detent_world2_set_angular_velocity,
     world_apply_impulse = detent_world2_apply_impulse,
@@ -1336,6 +1363,11 @@ space! {
     world_set_friction = detent_world3_set_friction,
     world_set_restitution = detent_world3_set_restitution,
     world_set_sensor = detent_world3_set_sensor,
+    world_set_gravity_scale = detent_world3_set_gravity_scale,
+    world_set_damping = detent_world3_set_damping,
+    world_set_locked = detent_world3_set_locked,
+    world_set_fast = detent_world3_set_fast,
+    world_set_user = detent_world3_set_user,
     world_set_velocity = detent_world3_set_velocity,
     world_set_angular_velocity = detent_world3_set_angular_velocity,
     world_apply_impulse = detent_world3_apply_impulse,

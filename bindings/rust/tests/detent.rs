@@ -82,9 +82,19 @@ fn contacts_and_setters_of_bodies() {
     assert_eq!(world.set_restitution(block, ONE / 2), Ok(true));
     assert_eq!(world.set_sensor(block, true), Ok(true));
     assert_eq!(world.set_filter(block, 2, 4), Ok(true));
-    assert_eq!(world.info(block).unwrap().unwrap().layers, 2);
+    assert_eq!(world.set_gravity_scale(block, -ONE), Ok(true));
+    assert_eq!(world.set_damping(block, 0, ONE), Ok(true));
+    assert_eq!(world.set_locked(block, ffi::LOCK_X), Ok(true));
+    assert_eq!(world.set_fast(block, true), Ok(true));
+    assert_eq!(world.set_user(block, u64::MAX - 1), Ok(true));
+    let info = world.info(block).unwrap().unwrap();
+    assert_eq!((info.layers, info.user), (2, u64::MAX - 1));
+    world.set_velocity(block, [ONE, 0]).unwrap();
     world.step().unwrap();
     assert_eq!(world.contacts(block).unwrap().len(), 0);
+    let velocity = world.body(block).unwrap().unwrap().velocity;
+    assert_eq!(velocity.x, 0); // locked
+    assert!((velocity.y - 10 * ONE / 60).abs() < 20); // it rises, undamped
 }
 
 #[test]

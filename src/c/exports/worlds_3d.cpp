@@ -72,6 +72,21 @@ detent_status detent_world3_set_restitution(detent_context* context, detent_hand
 detent_status detent_world3_set_sensor(detent_context* context, detent_handle world, detent_id id, uint32_t is_sensor) {
   return detent::c::Worlds<3>::set_sensor(context, world, id, is_sensor);
 }
+detent_status detent_world3_set_gravity_scale(detent_context* context, detent_handle world, detent_id id, int32_t scale) {
+  return detent::c::Worlds<3>::set_gravity_scale(context, world, id, scale);
+}
+detent_status detent_world3_set_damping(detent_context* context, detent_handle world, detent_id id, int32_t linear, int32_t angular) {
+  return detent::c::Worlds<3>::set_damping(context, world, id, linear, angular);
+}
+detent_status detent_world3_set_locked(detent_context* context, detent_handle world, detent_id id, uint32_t locked) {
+  return detent::c::Worlds<3>::set_locked(context, world, id, locked);
+}
+detent_status detent_world3_set_fast(detent_context* context, detent_handle world, detent_id id, uint32_t is_fast) {
+  return detent::c::Worlds<3>::set_fast(context, world, id, is_fast);
+}
+detent_status detent_world3_set_user(detent_context* context, detent_handle world, detent_id id, uint64_t user) {
+  return detent::c::Worlds<3>::set_user(context, world, id, user);
+}
 detent_status detent_world3_set_velocity(detent_context* context, detent_handle world, detent_id id, const detent_vec3* velocity) {
   return detent::c::Worlds<3>::set_velocity(context, world, id, velocity);
 }
