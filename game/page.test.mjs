@@ -232,21 +232,22 @@ async function playAll() {
     await page.close();
   });
 
-  await check('two pages and the relay play 3,000 frames', async () => {
+  await check('two pages and the relay play 1,200 frames', async () => {
     const query = `room=test&auto&seed=${seed}&speed=8&loss=15&latency=60&redraw=60000`;
     const pages = [await open(query), await open(query)];
-    const said = await Promise.all(pages.map((page) => untilPlayed(page, 3000)));
-    assert.deepEqual(said, [golden, golden]);
+    const said = await Promise.all(pages.map((page) => untilPlayed(page, 1200)));
+    const expected = { 600: golden[600], 1200: golden[1200] };
+    assert.deepEqual(said, [expected, expected]);
     await picture(pages[1], 'remote');
 
     // One reloads the page and returns to its seat, and another one watches.
     const name = await pages[1].textContent('#name-0');
     await pages[1].reload();
     await pages[1].waitForFunction(() => window.slingshot?.peers[0].wasm.is_player()
-      && slingshot.peers[0].wasm.start_frame() > 3000);
+      && slingshot.peers[0].wasm.start_frame() > 1200);
     assert.equal(await pages[1].textContent('#name-0'), name);
     pages.push(await open(`${query}&watch`));
-    await pages[2].waitForFunction(() => slingshot.mode() === 'remote' && slingshot.peers[0].wasm.start_frame() > 3000);
+    await pages[2].waitForFunction(() => slingshot.mode() === 'remote' && slingshot.peers[0].wasm.start_frame() > 1200);
     assert.equal(await pages[2].textContent('#name-0'), 'You are watching');
     const last = 600 * Math.ceil(await pages[2].evaluate(() => slingshot.peers[0].wasm.frame()) / 600);
     const digests = await Promise.all(pages.map(async (page) => (await untilPlayed(page, last))[last]));
