@@ -77,52 +77,24 @@ class BasicWorld {
       : settings_(settings), pace_(detail::pace_of(settings)) {}
 
   constexpr BasicWorld(const BasicWorld&) = default;
+  /// Takes time proportional to the contents: the unused capacity of a bounded world is not copied.
+  constexpr BasicWorld& operator=(const BasicWorld& other) {
+    assign(other);
+    return *this;
+  }
   /// Leaves the other world as if nothing had ever been added to it.
-  constexpr BasicWorld(BasicWorld&& other) noexcept
-      : settings_(other.settings_),
-        pace_(other.pace_),
-        bodies_(std::move(other.bodies_)),
-        contacts_(std::move(other.contacts_)),
-        joints_(std::move(other.joints_)),
-        next_(other.next_),
-        first_free_(other.first_free_),
-        size_(other.size_),
-        events_(std::move(other.events_)),
-        tick_(std::move(other.tick_)),
-        is_still_(other.is_still_) {
-    other.clear();
+  constexpr BasicWorld(BasicWorld&& other) noexcept : BasicWorld(other.settings_) {
+    *this = std::move(other);
   }
   constexpr BasicWorld& operator=(BasicWorld&& other) noexcept {
     if (this == &other) return *this;
-    settings_ = other.settings_;
-    pace_ = other.pace_;
-    bodies_ = std::move(other.bodies_);
-    contacts_ = std::move(other.contacts_);
-    joints_ = std::move(other.joints_);
-    next_ = other.next_;
-    first_free_ = other.first_free_;
-    size_ = other.size_;
-    events_ = std::move(other.events_);
-    tick_ = std::move(other.tick_);
-    is_still_ = other.is_still_;
+    assign(std::move(other));
+    if constexpr (requires { Storage::is_growing; })
+      tick_ = std::move(other.tick_);  // keeps its memory
     other.clear();
     return *this;
   }
   constexpr ~BasicWorld() = default;
-  /// Takes time proportional to the contents: the unused capacity of a bounded world is not copied.
-  constexpr BasicWorld& operator=(const BasicWorld& other) {
-    settings_ = other.settings_;
-    pace_ = other.pace_;
-    copy_used(other.bodies_, bodies_);
-    copy_used(other.contacts_, contacts_);
-    joints_ = other.joints_;
-    next_ = other.next_;
-    first_free_ = other.first_free_;
-    size_ = other.size_;
-    copy_used(other.events_, events_);
-    is_still_ = other.is_still_;
-    return *this;
-  }
 
   [[nodiscard]] constexpr const Settings& settings() const noexcept { return settings_; }
   [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
@@ -775,10 +747,24 @@ class BasicWorld {
     events_.clear();
     is_still_ = false;
   }
-  template <class List>
-  static constexpr void copy_used(const List& from, List& to) {
+  /// Copies or moves the state of another world.
+  template <class World>
+  constexpr void assign(World&& other) {
+    settings_ = other.settings_;
+    pace_ = other.pace_;
+    assign_list(std::forward<World>(other).bodies_, bodies_);
+    assign_list(std::forward<World>(other).contacts_, contacts_);
+    joints_ = std::forward<World>(other).joints_;
+    next_ = other.next_;
+    first_free_ = other.first_free_;
+    size_ = other.size_;
+    assign_list(std::forward<World>(other).events_, events_);
+    is_still_ = other.is_still_;
+  }
+  template <class From, class List>
+  static constexpr void assign_list(From&& from, List& to) {
     if constexpr (requires { Storage::is_growing; }) {
-      to = from;
+      to = std::forward<From>(from);
     } else {
       to.resize(from.size());
       for (std::size_t i = 0; i < from.size(); ++i) to[i] = from[i];
