@@ -35,6 +35,14 @@
 #define DETENT_INLINE_TINY DETENT_INLINE_WHEN_SHORT
 #endif
 
+// For the exact answer behind a filter: if g++ inlined it, it would save registers for it before every
+// filtered one.
+#if defined(__GNUC__)
+#define DETENT_OUTLINE __attribute__((noinline))
+#else
+#define DETENT_OUTLINE
+#endif
+
 namespace detent {
 
 /// Whether the processor keeps only 32 bits of a product and has no division: Cortex-M0, M0+, M1.

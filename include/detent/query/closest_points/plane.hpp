@@ -15,13 +15,6 @@
 #include "detent/query/kernel/rounded_point.hpp"
 #include "detent/query/kernel/support.hpp"
 
-// If g++ inlined the exact answer, it would save registers for it before every filtered one.
-#if defined(__GNUC__)
-#define DETENT_OUTLINE __attribute__((noinline))
-#else
-#define DETENT_OUTLINE
-#endif
-
 namespace detent::detail {
 
 /// A point where a plane cuts a body that it meets: the first corner in the plane, or else a point
@@ -224,5 +217,3 @@ template <Scalar S, int N>
 }
 
 }  // namespace detent::detail
-
-#undef DETENT_OUTLINE

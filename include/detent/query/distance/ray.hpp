@@ -5,13 +5,6 @@
 #include "detent/number/filter/ratio.hpp"
 #include "detent/query/kernel/point_ray.hpp"
 
-// If g++ inlined the exact answer, it would save registers for it before every filtered one.
-#if defined(__GNUC__)
-#define DETENT_OUTLINE __attribute__((noinline))
-#else
-#define DETENT_OUTLINE
-#endif
-
 namespace detent {
 
 /// The squared distance from `point` to `ray`: |d x w|^2 / |d|^2 where the point projects onto the
@@ -69,5 +62,3 @@ template <Scalar S, int N>
 }
 
 }  // namespace detent
-
-#undef DETENT_OUTLINE

@@ -10,13 +10,6 @@
 #include "detent/number/fraction.hpp"
 #include "detent/shape/segment.hpp"
 
-// If g++ inlined the exact answer, it would save registers for it before every filtered one.
-#if defined(__GNUC__)
-#define DETENT_OUTLINE __attribute__((noinline))
-#else
-#define DETENT_OUTLINE
-#endif
-
 namespace detent::detail {
 
 /// Whether `point` lies on `segment`, ends included.
@@ -110,5 +103,3 @@ template <Number Distance, Scalar S, int N>
 }
 
 }  // namespace detent::detail
-
-#undef DETENT_OUTLINE
