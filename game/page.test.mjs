@@ -2,12 +2,12 @@
 //
 // usage: node page.test.mjs FOLDER [FRAMES | corpus]
 // Tests the page that game/build made in FOLDER, in Chromium: two machines in one page; two pages
-// with the relay and lost packets; then a match of four, played by two pages and the programs of
-// game/check for this machine and a big-endian one. Players leave and return, and others watch. It
-// also flips a bit, saves and drops a replay, plays by keyboard, mouse and touch, goes offline, and
-// visits the two other rooms. Pictures go to FOLDER. Most of it runs at several times normal speed;
+// with the relay and lost packets; then a match of four, played by two pages and two processes of
+// game/check's program. Players leave and return, and others watch. It also flips a bit, saves and
+// drops a replay, plays by keyboard, mouse and touch, goes offline, and visits the two other rooms. Pictures go to FOLDER. Most of it runs at several times normal speed;
 // pages then draw only once a minute and for pictures, because drawing without a GPU is slow. With FRAMES,
-// plays only the match of four, for that many frames. With `corpus`, checks only the whole corpus.
+// plays only the match of four, for that many frames, with one program on an emulated big-endian machine.
+// With `corpus`, checks only the whole corpus.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -79,7 +79,7 @@ async function drop(page, file) {
 
 // A match of four, played by two pages and two programs.
 async function playFour() {
-  const isBig = existsSync(`${folder}s390x`);
+  const isBig = isLong && existsSync(`${folder}s390x`);
   const join = (...program) => {
     const process = spawn('node', [`${folder}relay_peer.mjs`, '--room', 'four', '--players', '4', '--seed', seed,
       '--speed', '8', '--loss', '0.15', address, ...program], { stdio: ['ignore', 'pipe', 'inherit'] });
