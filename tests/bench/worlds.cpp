@@ -74,7 +74,7 @@ struct BulletStage {
         shapes.push_back(std::make_unique<btCapsuleShape>(half.x(), 2 * half.y()));
       } else {
         auto hull = std::make_unique<btConvexHullShape>();
-        for (const auto& p : hull_points()) hull->addPoint(vec(p));
+        for (const auto& p : plan.hull) hull->addPoint(vec(p));
         shapes.push_back(std::move(hull));
       }
       btTransform pose;

@@ -58,7 +58,7 @@ EXPORT(load) void load(std::size_t i) {
     links.push_back(link.is_hinge);
     put(links, link.axis);
   }
-  for (const auto& point : hull_points()) put(points, point);
+  for (const auto& point : plan.hull) put(points, point);
   stage = std::make_unique<Stage<S>>(plan);
 }
 /// 12 numbers per item: kind, whether it moves, center, half extents, axis and angle.

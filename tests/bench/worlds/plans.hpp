@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,43 +12,8 @@
 #include "detent/math/vec.hpp"
 #include "support/random.hpp"
 
-/// The scenes of bodies that are timed in every engine.
+/// The scenes of bodies that are timed in every engine, and some that test how still bodies stand.
 namespace detent::bench {
-
-enum class Kind { box, ball, capsule, hull };
-
-struct Item {
-  Kind kind;
-  bool moves;
-  Vec<double, 3> at;
-  Vec<double, 3>
-      half;  // a ball's radius, and a capsule's radius and half height along y, come first
-  Vec<double, 3> axis{0, 1, 0};
-  double angle = 0;
-};
-
-/// A common point of two bodies; a hinge rotates only about `axis`.
-struct Link {
-  std::uint32_t a, b;
-  Vec<double, 3> at;
-  bool is_hinge = false;
-  Vec<double, 3> axis{0, 0, 1};
-};
-
-struct Plan {
-  std::string name;
-  std::vector<Item> items{};
-  std::vector<Link> links{};
-  int steps = 300;
-  bool sleeps = false;
-
-  std::uint32_t add(const Item& item) {
-    items.push_back(item);
-    return static_cast<std::uint32_t>(items.size() - 1);
-  }
-  void ground(double half) { add({Kind::box, false, {0, -1, 0}, {half, 1, half}}); }
-  void box(double x, double y) { add({Kind::box, true, {x, y, 0}, {0.5, 0.5, 0.5}}); }
-};
 
 /// The corners of a jittered icosahedron.
 inline std::vector<Vec<double, 3>> hull_points() {
@@ -68,10 +34,138 @@ inline std::vector<Vec<double, 3>> hull_points() {
   return points;
 }
 
+enum class Kind { box, ball, capsule, hull };
+
+struct Item {
+  Kind kind;
+  bool moves;
+  Vec<double, 3> at;
+  Vec<double, 3>
+      half;  // a ball's radius, and a capsule's radius and half height along y, come first
+  Vec<double, 3> axis{0, 1, 0};
+  double angle = 0;
+  double density = 1;
+};
+
+/// A common point of two bodies; a hinge rotates only about `axis`.
+struct Link {
+  std::uint32_t a, b;
+  Vec<double, 3> at;
+  bool is_hinge = false;
+  Vec<double, 3> axis{0, 0, 1};
+};
+
+struct Plan {
+  std::string name;
+  std::vector<Item> items{};
+  std::vector<Link> links{};
+  int steps = 300;
+  bool sleeps = false;
+  std::vector<Vec<double, 3>> hull = hull_points();  // of all items that are hulls
+
+  std::uint32_t add(const Item& item) {
+    items.push_back(item);
+    return static_cast<std::uint32_t>(items.size() - 1);
+  }
+  void ground(double half) { add({Kind::box, false, {0, -1, 0}, {half, 1, half}}); }
+  void box(double x, double y) { add({Kind::box, true, {x, y, 0}, {0.5, 0.5, 0.5}}); }
+};
+
 inline Plan stack(int count) {
   Plan plan{"stack of " + std::to_string(count)};
   plan.ground(60);
   for (int i = 0; i < count; ++i) plan.box(0, 0.5 + i);
+  return plan;
+}
+
+/// Boxes on each other, of these densities.
+inline Plan masses(const std::vector<double>& densities) {
+  Plan plan{"masses"};
+  plan.ground(60);
+  for (const double density : densities) {
+    const double y = static_cast<double>(plan.items.size()) - 0.5;
+    plan.add({Kind::box, true, {0, y, 0}, {0.5, 0.5, 0.5}, {0, 1, 0}, 0, density});
+  }
+  return plan;
+}
+
+/// Three storeys of cards of 1 by 0.02 that lean against each other at 25 degrees. The last item is the
+/// uppermost card.
+inline Plan house_of_cards() {
+  Plan plan{"house of cards"};
+  plan.ground(60);
+  const double tall = 0.5, deep = 0.35, thin = 0.01, lean = 25 * std::numbers::pi / 180;
+  const double height = 2 * (tall * std::cos(lean) + thin * std::sin(lean));
+  const double half_width = tall * std::sin(lean) + thin * std::cos(lean);
+  double floor = 0;
+  for (int tents = 3; tents > 0; --tents) {
+    for (int i = 0; i < tents; ++i) {
+      const double x = (i - (tents - 1) / 2.0) * 4 * half_width;
+      for (const double side : {-1.0, 1.0}) {
+        plan.add({Kind::box,
+                  true,
+                  {x + side * half_width, floor + height / 2, 0},
+                  {thin, tall, deep},
+                  {0, 0, 1},
+                  side * lean,
+                  1 / (8 * thin * tall * deep)});
+      }
+    }
+    floor += height;
+    const double half = 2 * half_width - 0.002;
+    for (int i = 0; i + 1 < tents; ++i) {
+      const double x = (i - (tents - 2) / 2.0) * 4 * half_width;
+      plan.add({Kind::box,
+                true,
+                {x, floor + thin, 0},
+                {half, thin, deep},
+                {0, 1, 0},
+                0,
+                1 / (8 * half * thin * deep)});
+    }
+    floor += 2 * thin;
+  }
+  return plan;
+}
+
+/// An arch of 9 stones between the radii 4 and 5. Item 5 is the keystone.
+inline Plan arch() {
+  Plan plan{"arch of 9"};
+  plan.ground(60);
+  plan.hull.clear();
+  const double half = std::numbers::pi / 18;  // of the angle of a stone
+  for (const double z : {-0.5, 0.5}) {
+    for (const double r : {4.0, 5.0}) {
+      for (const double t : {-half, half})
+        plan.hull.push_back({r * std::cos(t), r * std::sin(t), z});
+    }
+  }
+  for (int i = 0; i < 9; ++i) {
+    plan.add({Kind::hull, true, {}, {}, {0, 0, 1}, (2 * i + 1) * half});
+  }
+  return plan;
+}
+
+/// A rope of 30 capsules of mass 1 that hangs down, with a ball of this mass at its end, the last item.
+inline Plan rope(double mass) {
+  Plan plan{"rope of 30"};
+  const double length = 0.4, half = 0.15, radius = 0.04, high = 20;
+  const double volume = std::numbers::pi * radius * radius * (2 * half + 4 * radius / 3);
+  plan.add({Kind::ball, false, {0, high, 0}, {0.1, 0, 0}});
+  for (std::uint32_t i = 0; i < 30; ++i) {
+    const double y = high - i * length;
+    plan.add(
+        {Kind::capsule, true, {0, y - length / 2, 0}, {radius, half, 0}, {0, 1, 0}, 0, 1 / volume});
+    plan.links.push_back({i, i + 1, {0, y, 0}});
+  }
+  plan.add({Kind::ball,
+            true,
+            {0, high - 30 * length - 0.5, 0},
+            {0.5, 0, 0},
+            {0, 1, 0},
+            0,
+            mass * 6 / std::numbers::pi});
+  plan.links.push_back({30, 31, {0, high - 30 * length, 0}});
   return plan;
 }
 

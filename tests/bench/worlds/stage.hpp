@@ -28,7 +28,7 @@ struct Stage {
     WorldSettings<S, 3> settings;
     if (!plan.sleeps) settings.sleep_speed = S(0);
     world = Physics(settings);
-    for (const auto& p : hull_points()) points.push_back(vec(p));
+    for (const auto& p : plan.hull) points.push_back(vec(p));
     solid = solid_hull(1, ConvexHull<S, 3>{points});
     for (const auto& item : plan.items) ids.push_back(add(item));
     for (const auto& link : plan.links) join(link, ids[link.a], ids[link.b]);
@@ -37,6 +37,7 @@ struct Stage {
   BodyId add(const Item& item) {
     BodyOptions<S, 3> options;
     if (!item.moves) options.motion = BodyMotion::fixed;
+    options.density = test::num<S>(item.density);
     const auto axis = normalize(vec(item.axis));
     const auto rotation = Rotation<S, 3>::from_axis_angle(
         axis.value_or(Direction<S, 3>::along(1)), Angle<S>::from_radians(test::num<S>(item.angle)));
