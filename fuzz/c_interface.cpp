@@ -43,7 +43,7 @@ class Caller {
     if (source_.below(8) != 7) {
       for (const std::size_t which : {0, 13, 2, 33, 13, 33, 4}) check(call(which));
     }
-    while (!source_.rest().empty()) check(call(source_.below(76)));
+    while (!source_.rest().empty()) check(call(source_.below(77)));
     std::uint32_t count = 0;
     check(detent_count(&context_, &count));
     require(detent_close(&context_) == DETENT_OK, [] { return "it does not close"; });
@@ -732,9 +732,50 @@ class Caller {
         detent_screen_point3 seen{};
         return detent_camera3_project(&camera, width, height, or_null(&point), or_null(&seen));
       }
+      case 76:
+        check(change_body(context));
+        return ask<detent_world3_contact>([&](auto* contacts, auto* number_of) {
+          return detent_world3_contacts(context, last_[4], id(), contacts, room, number_of);
+        });
       default:
         check(detent_world3_size(context, handle(4), or_null(&count)));
         return detent_world3_restore(context, handle(4), or_null(saved()), saved_size_);
+    }
+  }
+
+  /// Sets one property of a body.
+  detent_status change_body(detent_context* context) {
+    const auto world = handle(4);
+    const auto body = id();
+    const auto value = number(), other = number();
+    const auto word = static_cast<std::uint32_t>(source_.word(4));
+    switch (source_.below(11)) {
+      case 0: {
+        const auto position = vec3();
+        return detent_world3_set_position(context, world, body, or_null(&position));
+      }
+      case 1: {
+        const auto rotation = rotation3();
+        return detent_world3_set_rotation(context, world, body, or_null(&rotation));
+      }
+      case 2:
+        return detent_world3_set_filter(context, world, body, word, word);
+      case 3:
+        return detent_world3_set_friction(context, world, body, value);
+      case 4:
+        return detent_world3_set_restitution(context, world, body, value);
+      case 5:
+        return detent_world3_set_sensor(context, world, body, word);
+      case 6:
+        return detent_world3_set_gravity_scale(context, world, body, value);
+      case 7:
+        return detent_world3_set_damping(context, world, body, value, other);
+      case 8:
+        return detent_world3_set_locked(context, world, body, word);
+      case 9:
+        return detent_world3_set_fast(context, world, body, word);
+      default:
+        return detent_world3_set_user(context, world, body, word);
     }
   }
 
