@@ -25,6 +25,19 @@ auto contacts_of(const World& world) {
   return found;
 }
 
+/// A box that sleeps on a floor.
+template <int N>
+struct Sleeper {
+  World<S, N, Obb> world;
+  BodyId floor = *world.add(box_of<S, N>(0, -1, 90, 1), {.motion = BodyMotion::fixed});
+  BodyId box = *world.add(box_of<S, N>(0, 0.5, 0.5, 0.5));
+
+  explicit Sleeper(const WorldSettings<S, N>& settings = {}) : world(settings) {
+    for (int i = 0; i < 200; ++i) world.step();
+    REQUIRE(world.is_asleep(box));
+  }
+};
+
 }  // namespace
 
 TEMPLATE_TEST_CASE("contacts: they are those that the next step finds", "", Dim<2>, Dim<3>) {
@@ -208,11 +221,9 @@ TEMPLATE_TEST_CASE("set_friction: a sleeping box begins to slide on a slope", ""
   const bool of_floor = GENERATE(false, true);
   WorldSettings<S, N> settings;
   settings.gravity.x = S(3);
-  World<S, N, Obb> world(settings);
-  const auto floor = *world.add(box_of<S, N>(0, -1, 90, 1), {.motion = BodyMotion::fixed});
-  const auto box = *world.add(box_of<S, N>(0, 0.5, 0.5, 0.5));
-  for (int i = 0; i < 200; ++i) world.step();
-  REQUIRE(world.is_asleep(box));
+  Sleeper<N> sleeper(settings);
+  auto& world = sleeper.world;
+  const auto floor = sleeper.floor, box = sleeper.box;
   const auto x = world.position(box).x;
   CHECK(world.set_friction(of_floor ? floor : box, S(0)));
   CHECK_FALSE(world.is_asleep(box));
@@ -239,11 +250,9 @@ TEMPLATE_TEST_CASE("set_restitution: a ball bounces from then on", "", Dim<2>, D
 TEMPLATE_TEST_CASE("set_sensor: a floor lets bodies through and reports them, then holds them", "",
                    Dim<2>, Dim<3>) {
   constexpr int N = TestType::value;
-  World<S, N, Obb> world;
-  const auto floor = *world.add(box_of<S, N>(0, -1, 9, 1), {.motion = BodyMotion::fixed});
-  const auto box = *world.add(box_of<S, N>(0, 0.5, 0.5, 0.5));
-  for (int i = 0; i < 200; ++i) world.step();
-  REQUIRE(world.is_asleep(box));
+  Sleeper<N> sleeper;
+  auto& world = sleeper.world;
+  const auto floor = sleeper.floor, box = sleeper.box;
   CHECK(world.set_sensor(floor, true));
   CHECK(world.info(floor)->is_sensor);
   for (int i = 0; i < 10; ++i) world.step();
@@ -299,11 +308,9 @@ TEMPLATE_TEST_CASE(
     "set_gravity_scale, set_damping, set_locked, set_fast: wake a body, but set_user does not", "",
     Dim<2>, Dim<3>) {
   constexpr int N = TestType::value;
-  World<S, N, Obb> world;
-  const auto floor = *world.add(box_of<S, N>(0, -1, 9, 1), {.motion = BodyMotion::fixed});
-  const auto box = *world.add(box_of<S, N>(0, 0.5, 0.5, 0.5));
-  for (int i = 0; i < 200; ++i) world.step();
-  REQUIRE(world.is_asleep(box));
+  Sleeper<N> sleeper;
+  auto& world = sleeper.world;
+  const auto floor = sleeper.floor, box = sleeper.box;
   const auto asleep = world;
   CHECK(world.set_user(box, 1));
   CHECK(world.is_asleep(box));
