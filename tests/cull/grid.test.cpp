@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "oracle/space.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
@@ -11,8 +12,8 @@ namespace {
 
 using namespace detent;
 
-TEMPLATE_TEST_CASE("grid: a number lies between its neighbouring grid steps", "[grid]", q16_16,
-                   q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("grid: a number lies between its neighbouring grid steps", "[grid]",
+                   DETENT_FIXED_SCALARS) {
   using S = TestType;
   using Grid = detail::Grid<S>;
   test::Random random(0xc011);
@@ -27,8 +28,8 @@ TEMPLATE_TEST_CASE("grid: a number lies between its neighbouring grid steps", "[
   }
 }
 
-TEMPLATE_TEST_CASE("grid: the ends of the range are unbounded and enclosed", "[grid]", q16_16,
-                   q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("grid: the ends of the range are unbounded and enclosed", "[grid]",
+                   DETENT_FIXED_SCALARS) {
   using S = TestType;
   using Grid = detail::Grid<S>;
   // At compile time an overflow is an error.
@@ -40,8 +41,8 @@ TEMPLATE_TEST_CASE("grid: the ends of the range are unbounded and enclosed", "[g
   STATIC_REQUIRE(Grid::above(S::max()) == Grid::beyond);
 }
 
-TEMPLATE_TEST_CASE("grid: what extends beyond the range is not cut off there", "[grid]", q16_16,
-                   q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("grid: what extends beyond the range is not cut off there", "[grid]",
+                   DETENT_FIXED_SCALARS) {
   using S = TestType;
   using Grid = detail::Grid<S>;
   test::Random random(0xc012);

@@ -295,8 +295,8 @@ void check_boxes() {
   CHECK(solid > 40);
 }
 
-TEMPLATE_TEST_CASE("mass: of boxes, with each number rounded once", "[mass][oracle]", q16_16,
-                   q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("mass: of boxes, with each number rounded once", "[mass][oracle]",
+                   DETENT_FIXED_SCALARS) {
   check_boxes<TestType, 2>();
   check_boxes<TestType, 3>();
 }
@@ -365,8 +365,8 @@ void check_hulls() {
   CHECK(known > 60);
 }
 
-TEMPLATE_TEST_CASE("mass: of hulls, with each number rounded once", "[mass][oracle]", q16_16,
-                   q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("mass: of hulls, with each number rounded once", "[mass][oracle]",
+                   DETENT_FIXED_SCALARS) {
   check_hulls<TestType, 2>();
   check_hulls<TestType, 3>();
 }
@@ -470,7 +470,7 @@ void check_round_solids() {
 }
 
 TEMPLATE_TEST_CASE("mass: of capsules and balls, with each number rounded once", "[mass][oracle]",
-                   q16_16, q14_16, q24_8, q8_8) {
+                   DETENT_FIXED_SCALARS) {
   check_round_solids<TestType>();
 }
 

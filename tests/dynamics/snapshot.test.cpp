@@ -7,6 +7,7 @@
 
 #include "dynamics/stage.hpp"
 #include "dynamics/step_alike.hpp"
+#include "oracle/space.hpp"
 #include "support/catch.hpp"
 #include "support/seal.hpp"
 
@@ -39,8 +40,8 @@ Balls<S, N> heap() {
   return world;
 }
 
-TEMPLATE_TEST_CASE("snapshot: a restored world continues bit for bit", "", q16_16, q14_16, q24_8,
-                   q8_8, double) {
+TEMPLATE_TEST_CASE("snapshot: a restored world continues bit for bit", "", DETENT_FIXED_SCALARS,
+                   double) {
   using S = TestType;
   const auto exam = [](auto dimension) {
     constexpr int N = decltype(dimension)::value;

@@ -8,6 +8,7 @@
 
 #include "detent/dynamics/snapshot.hpp"
 #include "dynamics/stage.hpp"
+#include "oracle/space.hpp"
 #include "support/catch.hpp"
 
 namespace detent::test {
@@ -17,7 +18,7 @@ template <Scalar S, int N>
 using BallWorld = World<S, N, Sphere>;
 
 TEMPLATE_TEST_CASE("world: a column of balls comes to rest and sleeps, and then nothing moves", "",
-                   q16_16, q14_16, q24_8, q8_8, float, double) {
+                   DETENT_EVERY_SCALAR) {
   using S = TestType;
   const auto column = [](auto world) {
     constexpr int N = decltype(world)::dimension;

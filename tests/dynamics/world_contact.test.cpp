@@ -11,6 +11,7 @@
 #include "detent/dynamics/dynamics.hpp"
 #include "dynamics/stage.hpp"
 #include "dynamics/terrain.hpp"
+#include "oracle/space.hpp"
 #include "support/catch.hpp"
 
 namespace detent::test {
@@ -57,8 +58,8 @@ WorldSettings<S, N> restless() {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("contacts: a box at rest is pushed by its weight at its corners", "", q16_16,
-                   q14_16, q24_8, q8_8, float, double) {
+TEMPLATE_TEST_CASE("contacts: a box at rest is pushed by its weight at its corners", "",
+                   DETENT_EVERY_SCALAR) {
   using S = TestType;
   const auto test = [](auto world) {
     constexpr int N = decltype(world)::dimension;

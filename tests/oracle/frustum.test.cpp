@@ -14,6 +14,7 @@
 #include "detent/query/raycast/frustum.hpp"
 #include "oracle/frustum.hpp"
 #include "oracle/pair_exam.hpp"
+#include "oracle/space.hpp"
 
 namespace detent::oracle {
 namespace {
@@ -49,18 +50,18 @@ void examine(std::uint64_t seed, long count) {
   examine_overlaps<Plane<S, 3>, S>(seed + 7, count, 70);
 }
 
-TEMPLATE_TEST_CASE("frustum and shapes: overlapping is decided exactly", "[oracle]", q16_16, q14_16,
-                   q24_8, q8_8) {
+TEMPLATE_TEST_CASE("frustum and shapes: overlapping is decided exactly", "[oracle]",
+                   DETENT_FIXED_SCALARS) {
   examine<TestType>(0x4120, pair_cases / 20);
 }
 
-TEMPLATE_TEST_CASE("frustum and shapes: many more decisions are exact", "[oracle][.demand]", q16_16,
-                   q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("frustum and shapes: many more decisions are exact", "[oracle][.demand]",
+                   DETENT_FIXED_SCALARS) {
   for (const auto seed : demanded_seeds()) examine<TestType>(seed, pair_cases / 10);
 }
 
 TEMPLATE_TEST_CASE("frustum, points and rays: every answer is that of the hull of the corners",
-                   "[oracle]", q16_16, q14_16, q24_8, q8_8) {
+                   "[oracle]", DETENT_FIXED_SCALARS) {
   using S = TestType;
   Draw<S, 3> draw(0x4130);
   auto& random = draw.random;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "oracle/ray_exam.hpp"
+#include "oracle/space.hpp"
 
 namespace detent::oracle {
 namespace {
@@ -170,7 +171,7 @@ Raw<2> near_tie(test::Random& random, int frac, std::int64_t limit) {
 }
 
 TEMPLATE_TEST_CASE("ray against triangle: normals halfway between two are rounded correctly",
-                   "[oracle]", q16_16, q14_16, q24_8, q8_8) {
+                   "[oracle]", DETENT_FIXED_SCALARS) {
   using S = TestType;
   using Plane = Draw<S, 2>;
   using World = Draw<S, 3>;

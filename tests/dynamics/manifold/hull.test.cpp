@@ -5,6 +5,7 @@
 #include "detent/dynamics/hull.hpp"
 #include "detent/query/distance.hpp"
 #include "dynamics/manifold/rational.hpp"
+#include "oracle/space.hpp"
 #include "support/random.hpp"
 
 namespace detent::test {
@@ -504,12 +505,11 @@ void compare_short_cuts(int rounds) {
   CHECK(checked.beyond > rounds / 50);
 }
 
-TEMPLATE_TEST_CASE("manifold: edges and faces left out change nothing", "", q16_16, q14_16, q24_8,
-                   q8_8) {
+TEMPLATE_TEST_CASE("manifold: edges and faces left out change nothing", "", DETENT_FIXED_SCALARS) {
   compare_short_cuts<TestType>(4000);
 }
-TEMPLATE_TEST_CASE("manifold: long comparison of edges and faces left out", "[.demand]", q16_16,
-                   q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("manifold: long comparison of edges and faces left out", "[.demand]",
+                   DETENT_FIXED_SCALARS) {
   compare_short_cuts<TestType>(200'000);
 }
 
@@ -582,8 +582,8 @@ void compare_balls(int rounds) {
   CHECK((reached > near / 4 && reached < 3 * near / 4));
 }
 
-TEMPLATE_TEST_CASE("manifold: a hull whose ball is above a face does not touch", "", q16_16, q14_16,
-                   q24_8, q8_8) {
+TEMPLATE_TEST_CASE("manifold: a hull whose ball is above a face does not touch", "",
+                   DETENT_FIXED_SCALARS) {
   compare_balls<TestType>(4000);
 }
 
@@ -638,8 +638,8 @@ void compare_crossings(int rounds) {
   CHECK((crossed > rounds / 2 && crossed < rounds));
 }
 
-TEMPLATE_TEST_CASE("manifold: what the filter of edge separations is sure of is exact", "", q16_16,
-                   q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("manifold: what the filter of edge separations is sure of is exact", "",
+                   DETENT_FIXED_SCALARS) {
   compare_crossings<TestType>(20'000);
 }
 TEMPLATE_TEST_CASE("manifold: long comparison of edges too close together", "[.demand]", q16_16,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/cast.hpp"
+#include "oracle/space.hpp"
 #include "query/raycast/helpers.hpp"
 #include "support/random.hpp"
 
@@ -58,8 +59,7 @@ Aabb<S, N> draw_box(Random& random, int size) {
 }
 
 TEMPLATE_TEST_CASE("cast: the closest point of two boxes is the one that the search finds",
-                   "[cast]", (Space<q16_16, 2>), (Space<q16_16, 3>), (Space<q14_16, 3>),
-                   (Space<q24_8, 3>), (Space<q8_8, 2>), (Space<q8_8, 3>)) {
+                   "[cast]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   Random random(11);
@@ -95,7 +95,7 @@ Vec<S, 3> draw_point(Random& random, int bits) {
 }
 
 TEMPLATE_TEST_CASE("cast: times to planes and feet on them, by words, are the exact ones", "[cast]",
-                   q16_16, q14_16, q24_8) {
+                   DETENT_FILTER_SCALARS) {
   using S = TestType;
   Random random(12);
   int sure = 0, past = 0;

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "detent/query/contact.hpp"
+#include "oracle/space.hpp"
 #include "query/kernel/boxes_and_segments.hpp"
 #include "support/catch.hpp"
 
@@ -70,8 +71,8 @@ void compare_some(int bits, int asked, Turning turning, Rates& oriented, Rates& 
   });
 }
 
-TEMPLATE_TEST_CASE("contact of a capsule and a box: the filter is exact", "[query]", q16_16, q14_16,
-                   q24_8) {
+TEMPLATE_TEST_CASE("contact of a capsule and a box: the filter is exact", "[query]",
+                   DETENT_FILTER_SCALARS) {
   using S = TestType;
   for (const auto turning : {Turning::any, Turning::none, Turning::little, Turning::skew}) {
     for (const int bits : {3, 12, 22, S::bits - 3}) {

@@ -4,6 +4,7 @@
 #include "detent/query/kernel/box_triangle_filter.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/triangle.hpp"
+#include "oracle/space.hpp"
 #include "query/kernel/turns.hpp"
 #include "query/overlaps/helpers.hpp"
 
@@ -105,8 +106,8 @@ void check(const Random& random, const Count& any, const Count& large, int most)
   CHECK(large.unsure < most);
 }
 
-TEMPLATE_TEST_CASE("OBB and OBB: the filter is correct or unsure", "[overlaps]", q16_16, q14_16,
-                   q24_8) {
+TEMPLATE_TEST_CASE("OBB and OBB: the filter is correct or unsure", "[overlaps]",
+                   DETENT_FILTER_SCALARS) {
   using S = TestType;
   Random random(0x0bb5);
   Count any, large;
@@ -126,8 +127,8 @@ TEMPLATE_TEST_CASE("OBB and OBB: the filter is correct or unsure", "[overlaps]",
   check(random, any, large, large.asked / 2);
 }
 
-TEMPLATE_TEST_CASE("OBB and triangle: the filter is correct or unsure", "[overlaps]", q16_16,
-                   q14_16, q24_8) {
+TEMPLATE_TEST_CASE("OBB and triangle: the filter is correct or unsure", "[overlaps]",
+                   DETENT_FILTER_SCALARS) {
   using S = TestType;
   Random random(0x0b73);
   Count any, large;

@@ -9,6 +9,7 @@
 
 #include "detent/query/closest_points.hpp"
 #include "detent/query/kernel/gjk.hpp"
+#include "oracle/space.hpp"
 #include "query/kernel/turns.hpp"
 #include "support/catch.hpp"
 #include "support/random_vec.hpp"
@@ -98,8 +99,8 @@ void compare_some(int bits, int asked, const Turn& turn, Rates& rates) {
   });
 }
 
-TEMPLATE_TEST_CASE("box and hull witness: what it is sure of is exact", "[query]", q16_16, q14_16,
-                   q24_8) {
+TEMPLATE_TEST_CASE("box and hull witness: what it is sure of is exact", "[query]",
+                   DETENT_FILTER_SCALARS) {
   using S = TestType;
   const auto any = [](Random& random) { return random_turn<S>(random, 32); };
   const auto aligned = [](Random& random) {

@@ -5,6 +5,7 @@
 
 #include "detent/query/cast/motion.hpp"
 #include "detent/query/cast/touch.hpp"
+#include "oracle/space.hpp"
 #include "query/kernel/boxes_and_segments.hpp"
 #include "support/catch.hpp"
 
@@ -64,7 +65,7 @@ Direction<S, 3> toward(const Vec<S, 3>& from, const Vec<S, 3>& to, const Vec<S, 
   return direction_of<S>(to - from + aside).value_or(Direction<S, 3>::along(0));
 }
 
-TEMPLATE_TEST_CASE("box touch: what it is sure of is exact", "[query]", q16_16, q14_16, q24_8) {
+TEMPLATE_TEST_CASE("box touch: what it is sure of is exact", "[query]", DETENT_FILTER_SCALARS) {
   using S = TestType;
   for (const auto turning : {Turning::any, Turning::none, Turning::little, Turning::skew}) {
     for (const int bits : {3, 12, 20, S::bits - 4}) {
@@ -100,7 +101,8 @@ TEMPLATE_TEST_CASE("box touch: what it is sure of is exact", "[query]", q16_16, 
   }
 }
 
-TEMPLATE_TEST_CASE("box touch: what it is sure of is exact in 2D", "[query]", q16_16, q24_8) {
+TEMPLATE_TEST_CASE("box touch: what it is sure of is exact in 2D", "[query]",
+                   DETENT_FILTER_SCALARS) {
   using S = TestType;
   Random random(1);
   for (const int bits : {4, 14, S::bits - 4}) {
@@ -132,7 +134,7 @@ TEMPLATE_TEST_CASE("box touch: what it is sure of is exact in 2D", "[query]", q1
 /// Squares that sum to a square: the point is at exactly the radius from a face, an edge or a corner,
 /// but for a few of the filter's steps, at a time of the grid.
 TEMPLATE_TEST_CASE("box touch: touches within its error are left to the exact search", "[query]",
-                   q16_16, q24_8) {
+                   DETENT_FILTER_SCALARS) {
   using S = TestType;
   constexpr std::array<std::array<std::int64_t, 4>, 3> lengths{
       {{3, 4, 0, 5}, {2, 3, 6, 7}, {1, 2, 2, 3}}};

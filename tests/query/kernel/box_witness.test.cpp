@@ -7,6 +7,7 @@
 #include "detent/query/closest_points/bodies.hpp"
 #include "detent/query/kernel/box_common_point.hpp"
 #include "detent/query/kernel/convex_body.hpp"
+#include "oracle/space.hpp"
 #include "query/kernel/turns.hpp"
 #include "support/catch.hpp"
 #include "support/random_vec.hpp"
@@ -92,7 +93,7 @@ void compare_some(int bits, int asked, const Turn& turn, Rates& rates) {
   });
 }
 
-TEMPLATE_TEST_CASE("box witness: what it is sure of is exact", "[query]", q16_16, q14_16, q24_8) {
+TEMPLATE_TEST_CASE("box witness: what it is sure of is exact", "[query]", DETENT_FILTER_SCALARS) {
   using S = TestType;
   const auto any = [](Random& random) { return random_turn<S>(random, 32); };
   const auto quarter = [](Random& random) { return quarter_turn<S>(random); };

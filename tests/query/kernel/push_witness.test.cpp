@@ -7,6 +7,7 @@
 #include "detent/math/rotation.hpp"
 #include "detent/query/contact.hpp"
 #include "detent/query/kernel/gjk.hpp"
+#include "oracle/space.hpp"
 #include "support/catch.hpp"
 #include "support/random_vec.hpp"
 
@@ -153,7 +154,7 @@ void compare_flat(std::int64_t reach, int asked, Count& count) {
 }
 
 TEMPLATE_TEST_CASE("push witness: flat bodies that share a corner are not apart", "[kernel]",
-                   q16_16, q14_16, q24_8, q8_8) {
+                   DETENT_FIXED_SCALARS) {
   Count count;
   for (const std::int64_t reach : {4, 3000, 30'000}) compare_flat<TestType>(reach, 300, count);
   if constexpr (bits_of < TestType >> 16) compare_flat<TestType>(1 << 28, 300, count);
@@ -252,14 +253,18 @@ void compare_all(int asked) {
 
 TEST_CASE("witnesses: a least push that they are sure of is that of the expansion", "[query]") {
   compare_all<q16_16>(300);
+#if DETENT_TEST_EVERY_SPACE
   compare_all<q14_16>(100);
   compare_all<q24_8>(100);
+#endif
   compare_all<q8_8>(100);
 }
 TEST_CASE("witnesses: long comparison of least pushes", "[query][.demand]") {
   compare_all<q16_16>(3000);
+#if DETENT_TEST_EVERY_SPACE
   compare_all<q14_16>(2000);
   compare_all<q24_8>(2000);
+#endif
   compare_all<q8_8>(2000);
 }
 

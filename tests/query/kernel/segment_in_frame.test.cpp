@@ -3,6 +3,7 @@
 
 #include "detent/query/distance/pair.hpp"
 #include "detent/query/kernel/closest_in_frame.hpp"
+#include "oracle/space.hpp"
 #include "query/kernel/boxes_and_segments.hpp"
 #include "support/catch.hpp"
 
@@ -50,8 +51,8 @@ void compare_some(int bits, int asked, Turning turning, Rates& rates) {
   });
 }
 
-TEMPLATE_TEST_CASE("segment in frame: what it is sure of is exact", "[query]", q16_16, q14_16,
-                   q24_8) {
+TEMPLATE_TEST_CASE("segment in frame: what it is sure of is exact", "[query]",
+                   DETENT_FILTER_SCALARS) {
   using S = TestType;
   for (const auto turning : {Turning::any, Turning::none, Turning::little, Turning::skew}) {
     for (const int bits : {3, 12, 22, S::bits - 3}) {

@@ -6,6 +6,7 @@
 #include "detent/query/distance/pair.hpp"
 #include "detent/query/kernel/closest_in_frame.hpp"
 #include "detent/query/kernel/segment_in_frame.hpp"
+#include "oracle/space.hpp"
 #include "query/kernel/boxes_and_segments.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
@@ -82,7 +83,7 @@ void compare_some(int bits, int asked, Turning turning, Rates& rates) {
 }
 
 TEMPLATE_TEST_CASE("segment in frame: in the plane, too, what it is sure of is exact", "[query]",
-                   q16_16, q14_16, q24_8) {
+                   DETENT_FILTER_SCALARS) {
   using S = TestType;
   static_assert(detail::has_segment_in_frame<Obb<S, 2>>);
   static_assert(!detail::has_segment_in_frame<Obb<q8_8, 2>>);

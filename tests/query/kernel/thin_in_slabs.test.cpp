@@ -2,6 +2,7 @@
 #include "detent/query/kernel/thin_in_slabs.hpp"
 
 #include "detent/query/cast/point.hpp"
+#include "oracle/space.hpp"
 #include "query/kernel/boxes_and_segments.hpp"
 #include "support/catch.hpp"
 
@@ -24,7 +25,7 @@ Direction<S, N> direction_from(const Vec<S, N>& v) {
   return direction_of<S>(v).value_or(Direction<S, N>::along(0));
 }
 
-TEMPLATE_TEST_CASE("thin in slabs: what it is sure of is exact", "[query]", q16_16, q14_16, q24_8) {
+TEMPLATE_TEST_CASE("thin in slabs: what it is sure of is exact", "[query]", DETENT_FILTER_SCALARS) {
   using S = TestType;
   for (const auto turning : {Turning::any, Turning::none, Turning::little, Turning::skew}) {
     for (const int bits : {3, 12, 22, S::bits - 2, S::bits}) {

@@ -145,8 +145,10 @@ TEST_CASE("witnesses: a touch or distance that they are sure of is exact", "[que
   compare_many<q16_16, 3>(1 << 29, 1, 300, local);
   compare_many<q16_16, 2>(1 << 18, 1, 500, planar);
   compare_many<q16_16, 2>(1 << 26, 1, 500, planar);
+#if DETENT_TEST_EVERY_SPACE
   compare_many<q24_8, 3>(1 << 22, 1, 200, local);
   compare_many<q14_16, 3>(1 << 24, 1, 200, local);
+#endif
   compare_many<q16_16, 3>(1 << 24, 1, 400, local);
   compare_many<q16_16, 3>(1 << 18, 1 << 16, 1500, coarse);
   compare_many<q16_16, 3>(16, 1, 500, coarse);

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "detent/query/raycast/capsule.hpp"
+#include "oracle/space.hpp"
 #include "query/raycast/helpers.hpp"
 
 namespace detent::test {
@@ -51,8 +52,8 @@ void ask(Count& count, const Direction<S, N>& d, const Raws<N>& m, const Raws<N>
   if (given != distance_at(ray, number(radius), exact.axis, exact.entry)) ++count.wrong;
 }
 
-TEMPLATE_TEST_CASE("capsule filter: a sure result is the exact entry", "[raycast]", q16_16, q14_16,
-                   q24_8) {
+TEMPLATE_TEST_CASE("capsule filter: a sure result is the exact entry", "[raycast]",
+                   DETENT_FILTER_SCALARS) {
   using S = TestType;
   Random random(0xca97);
   INFO(random);

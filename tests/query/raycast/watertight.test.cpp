@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "oracle/draw.hpp"
+#include "oracle/space.hpp"
 #include "query/raycast/helpers.hpp"
 
 namespace detent::test {
@@ -34,8 +35,8 @@ Triangle<S, 3> triangle(const Raw<3>& a, const Raw<3>& b, const Raw<3>& c) {
   return {Draw<S>::vec(a), Draw<S>::vec(b), Draw<S>::vec(c)};
 }
 
-TEMPLATE_TEST_CASE("ray against triangles: no ray escapes from a tetrahedron", "[raycast]", q16_16,
-                   q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("ray against triangles: no ray escapes from a tetrahedron", "[raycast]",
+                   DETENT_FIXED_SCALARS) {
   using S = TestType;
   Draw<S> draw(0x7e74);
   auto& random = draw.random;
@@ -86,7 +87,7 @@ TEMPLATE_TEST_CASE("ray against triangles: no ray escapes from a tetrahedron", "
 }
 
 TEMPLATE_TEST_CASE("ray against triangles: none slips between two that share an edge", "[raycast]",
-                   q16_16, q14_16, q24_8, q8_8) {
+                   DETENT_FIXED_SCALARS) {
   using S = TestType;
   Draw<S> draw(0xed6e);
   auto& random = draw.random;
@@ -141,7 +142,7 @@ TEMPLATE_TEST_CASE("ray against triangles: none slips between two that share an 
 
 TEMPLATE_TEST_CASE(
     "ray against triangles: a ray at a shared edge or corner hits all triangles around it",
-    "[raycast]", q16_16, q14_16, q24_8, q8_8) {
+    "[raycast]", DETENT_FIXED_SCALARS) {
   using S = TestType;
   Draw<S> draw(0xfa4);
   auto& random = draw.random;
@@ -244,12 +245,12 @@ long lost_rays(std::uint64_t seed, long count) {
 }
 
 TEMPLATE_TEST_CASE("ray against a closed mesh: no ray at its edges and corners is lost",
-                   "[raycast]", q16_16, q14_16, q24_8, q8_8) {
+                   "[raycast]", DETENT_FIXED_SCALARS) {
   CHECK(lost_rays<TestType>(0xc105ed, 20'000) == 0);
 }
 
 TEMPLATE_TEST_CASE("ray against a closed mesh: none of ten million rays is lost",
-                   "[raycast][.demand]", q16_16, q14_16, q24_8, q8_8) {
+                   "[raycast][.demand]", DETENT_FIXED_SCALARS) {
   CHECK(lost_rays<TestType>(0xc105ed + 1, 2'500'000) == 0);
 }
 
