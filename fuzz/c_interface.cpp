@@ -732,11 +732,14 @@ class Caller {
         detent_screen_point3 seen{};
         return detent_camera3_project(&camera, width, height, or_null(&point), or_null(&seen));
       }
-      case 76:
+      case 76: {
         check(change_body(context));
+        const auto world = handle(4);
+        const auto body = id();
         return ask<detent_world3_contact>([&](auto* contacts, auto* number_of) {
-          return detent_world3_contacts(context, last_[4], id(), contacts, room, number_of);
+          return detent_world3_contacts(context, world, body, contacts, room, number_of);
         });
+      }
       default:
         check(detent_world3_size(context, handle(4), or_null(&count)));
         return detent_world3_restore(context, handle(4), or_null(saved()), saved_size_);

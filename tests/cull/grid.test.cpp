@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "oracle/space.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
@@ -12,8 +11,8 @@ namespace {
 
 using namespace detent;
 
-TEMPLATE_TEST_CASE("grid: a number lies between its neighbouring grid steps", "[grid]",
-                   DETENT_FIXED_SCALARS) {
+TEMPLATE_TEST_CASE("grid: a number lies between its neighbouring grid steps", "[grid]", q16_16,
+                   q14_16, q24_8, q8_8) {
   using S = TestType;
   using Grid = detail::Grid<S>;
   test::Random random(0xc011);
@@ -28,8 +27,8 @@ TEMPLATE_TEST_CASE("grid: a number lies between its neighbouring grid steps", "[
   }
 }
 
-TEMPLATE_TEST_CASE("grid: the ends of the range are unbounded and enclosed", "[grid]",
-                   DETENT_FIXED_SCALARS) {
+TEMPLATE_TEST_CASE("grid: the ends of the range are unbounded and enclosed", "[grid]", q16_16,
+                   q14_16, q24_8, q8_8) {
   using S = TestType;
   using Grid = detail::Grid<S>;
   // At compile time an overflow is an error.
@@ -41,8 +40,8 @@ TEMPLATE_TEST_CASE("grid: the ends of the range are unbounded and enclosed", "[g
   STATIC_REQUIRE(Grid::above(S::max()) == Grid::beyond);
 }
 
-TEMPLATE_TEST_CASE("grid: what extends beyond the range is not cut off there", "[grid]",
-                   DETENT_FIXED_SCALARS) {
+TEMPLATE_TEST_CASE("grid: what extends beyond the range is not cut off there", "[grid]", q16_16,
+                   q14_16, q24_8, q8_8) {
   using S = TestType;
   using Grid = detail::Grid<S>;
   test::Random random(0xc012);

@@ -9,7 +9,6 @@
 #include "detent/cull/bins.hpp"
 #include "detent/cull/grid.hpp"
 #include "detent/number/next_up.hpp"
-#include "oracle/space.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
@@ -44,8 +43,8 @@ TEMPLATE_TEST_CASE("plane grid: a byte encloses a coordinate, rounded outward", 
   }
 }
 
-TEMPLATE_TEST_CASE("slabs: no part of the ray between the planes is lost", "[slabs]",
-                   DETENT_FIXED_SCALARS) {
+TEMPLATE_TEST_CASE("slabs: no part of the ray between the planes is lost", "[slabs]", q16_16,
+                   q14_16, q24_8, q8_8) {
   using S = TestType;
   using Component = direction_component<S>;
   using Lanes = detail::ArrayLanes<std::int32_t>;
@@ -157,8 +156,8 @@ TEMPLATE_TEST_CASE("slabs: on a scene's grid, rays arrive in time and lose littl
   CHECK(tight > 1'000);
 }
 
-TEMPLATE_TEST_CASE("slabs: no part of a box's path between the planes is lost", "[slabs]",
-                   DETENT_FIXED_SCALARS) {
+TEMPLATE_TEST_CASE("slabs: no part of a box's path between the planes is lost", "[slabs]", q16_16,
+                   q14_16, q24_8, q8_8) {
   using S = TestType;
   using Component = direction_component<S>;
   constexpr std::int64_t one = std::int64_t{1} << Component::frac;

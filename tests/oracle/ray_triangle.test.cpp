@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "oracle/ray_exam.hpp"
-#include "oracle/space.hpp"
 
 namespace detent::oracle {
 namespace {
@@ -171,7 +170,7 @@ Raw<2> near_tie(test::Random& random, int frac, std::int64_t limit) {
 }
 
 TEMPLATE_TEST_CASE("ray against triangle: normals halfway between two are rounded correctly",
-                   "[oracle]", DETENT_FIXED_SCALARS) {
+                   "[oracle]", q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
   using Plane = Draw<S, 2>;
   using World = Draw<S, 3>;

@@ -17,10 +17,11 @@ struct Space {
 
 /// The arguments of TEMPLATE_TEST_CASE; with a type list, the test names would lose the types.
 /// Everyday runs use the widest and the narrowest scalar, one in each dimension. DETENT_TEST_ALL
-/// uses these in both dimensions; DETENT_TEST_EVERY_SPACE uses every scalar in both. The everyday spaces by name are for examples of queries that would otherwise
-/// take minutes to compile, and whose oracles run in all spaces. DETENT_SLOW_SCALARS are for sources
-/// that take half a minute to compile in two scalars: everyday runs use one. DETENT_FILTER_SCALARS
-/// are for tests of filters, which q8_8 hardly uses, and whose code is the same in the other scalars.
+/// uses these in both dimensions; DETENT_TEST_EVERY_SPACE uses every scalar in both. The everyday
+/// spaces by name are for examples of queries that would otherwise take minutes to compile, and
+/// whose oracles run in all spaces. DETENT_SLOW_SCALARS are for sources that take half a minute
+/// to compile in two scalars: everyday runs use one. DETENT_FILTER_SCALARS are for tests of
+/// filters, which q8_8 hardly uses, and whose code is the same in the other scalars.
 #define DETENT_SPACE(name, dimension) (detent::test::Space<name, dimension>)
 #define DETENT_SPACES_OF(name) DETENT_SPACE(detent::name, 3), DETENT_SPACE(detent::name, 2)
 #define DETENT_EVERYDAY_FIXED_SPACES DETENT_SPACE(detent::q16_16, 3), DETENT_SPACE(detent::q8_8, 2)

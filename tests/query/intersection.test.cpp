@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/intersection.hpp"
 
-#include "oracle/space.hpp"
 #include "query/raycast/helpers.hpp"
 
 namespace detent::test {
@@ -9,8 +8,8 @@ namespace {
 
 static_assert(!intersection(Plane<q16_16, 2>{}, Plane<q16_16, 2>{}));
 
-TEMPLATE_TEST_CASE("intersection: the point of three planes", "[intersection]",
-                   DETENT_EVERY_SCALAR) {
+TEMPLATE_TEST_CASE("intersection: the point of three planes", "[intersection]", q16_16, q14_16,
+                   q24_8, q8_8, float, double) {
   using S = TestType;
   const auto plane = [](const Direction<S, 3>& normal, double offset) {
     return Plane<S, 3>{normal, num<S>(offset)};
@@ -25,7 +24,8 @@ TEMPLATE_TEST_CASE("intersection: the point of three planes", "[intersection]",
   CHECK_FALSE(intersection(plane(x, 1), plane(y, 2), plane(toward<S, 3>(3, 4), 5)).has_value());
 }
 
-TEMPLATE_TEST_CASE("intersection: the point of two lines", "[intersection]", DETENT_EVERY_SCALAR) {
+TEMPLATE_TEST_CASE("intersection: the point of two lines", "[intersection]", q16_16, q14_16, q24_8,
+                   q8_8, float, double) {
   using S = TestType;
   const auto x = Direction<S, 2>::along(0), y = Direction<S, 2>::along(1);
   const Plane<S, 2> one{x, num<S>(1)}, two{y, num<S>(2)};
@@ -36,7 +36,7 @@ TEMPLATE_TEST_CASE("intersection: the point of two lines", "[intersection]", DET
 }
 
 TEMPLATE_TEST_CASE("intersection: a distant point is clamped to the domain", "[intersection]",
-                   DETENT_FIXED_SCALARS) {
+                   q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
   using D = Direction<S, 2>;
   auto tilted = D::along(0).vec();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/raycast/triangle.hpp"
 
-#include "oracle/space.hpp"
 #include "query/raycast/helpers.hpp"
 
 namespace detent::test {
@@ -37,7 +36,7 @@ std::array<Triangle<S, N>, 6> orders(const Triangle<S, N>& t) {
 }
 
 TEMPLATE_TEST_CASE("ray against triangle: a surface is hit, missed and touched as drawn",
-                   "[raycast]", DETENT_EVERY_SCALAR) {
+                   "[raycast]", q16_16, q14_16, q24_8, q8_8, float, double) {
   using S = TestType;
   const auto interval = [](double enter, double exit) {
     return Interval<S>{num<S>(enter), num<S>(exit)};
@@ -155,7 +154,8 @@ TEMPLATE_TEST_CASE("ray against triangle: a surface is hit, missed and touched a
   }
 }
 
-TEMPLATE_TEST_CASE("ray against triangle: solid in 2D", "[raycast]", DETENT_EVERY_SCALAR) {
+TEMPLATE_TEST_CASE("ray against triangle: solid in 2D", "[raycast]", q16_16, q14_16, q24_8, q8_8,
+                   float, double) {
   using S = TestType;
   const auto interval = [](double enter, double exit) {
     return Interval<S>{num<S>(enter), num<S>(exit)};
@@ -240,8 +240,8 @@ TEMPLATE_TEST_CASE("ray against triangle: solid in 2D", "[raycast]", DETENT_EVER
   }
 }
 
-TEMPLATE_TEST_CASE("ray against triangle: one raw unit decides", "[raycast]",
-                   DETENT_FIXED_SCALARS) {
+TEMPLATE_TEST_CASE("ray against triangle: one raw unit decides", "[raycast]", q16_16, q14_16, q24_8,
+                   q8_8) {
   using S = TestType;
   const auto step = moved(S(0), 1);
   const Triangle<S, 3> level{at<S, 3>(0, 0, 5), at<S, 3>(4, 0, 5), at<S, 3>(0, 4, 5)};
@@ -286,8 +286,8 @@ TEMPLATE_TEST_CASE("ray against triangle: one raw unit decides", "[raycast]",
   }
 }
 
-TEMPLATE_TEST_CASE("ray against triangle: correct at the ends of the domain", "[raycast]",
-                   DETENT_FIXED_SCALARS) {
+TEMPLATE_TEST_CASE("ray against triangle: correct at the ends of the domain", "[raycast]", q16_16,
+                   q14_16, q24_8, q8_8) {
   using S = TestType;
   const auto low = S::lowest();
   const auto high = S::max();
