@@ -16,22 +16,6 @@ template <class Moving, class Target, int N>
 std::optional<CastHit<S, N>> cast_at(const Moving& moving, const Direction<S, N>& direction,
                                      S max_distance, const Target& target);
 
-#ifdef DETENT_C_CASTS_OF
-template <class Moving, class Target, int N>
-std::optional<CastHit<S, N>> cast_at(const Moving& moving, const Direction<S, N>& direction,
-                                     S max_distance, const Target& target) {
-  return detent::cast(moving, direction, max_distance, target);
-}
-#define DETENT_C_CAST_AT(N, Target)                                             \
-  template std::optional<CastHit<S, N>> cast_at(const DETENT_C_CASTS_OF<S, N>&, \
-                                                const Direction<S, N>&, S, const Target<S, N>&);
-#define DETENT_C_CASTS(N)      \
-  DETENT_C_CAST_AT(N, Capsule) \
-  DETENT_C_CAST_AT(N, Obb)     \
-  DETENT_C_CAST_AT(N, Plane)   \
-  DETENT_C_CAST_AT(N, ConvexHull)
-#endif
-
 template <int N>
 struct Casts {
   using T = Types<N>;

@@ -50,14 +50,27 @@ struct RowSink {
   }
 };
 
-/// Calls `visit(Group{}, Space<S, N>{})` for the sheet of a part with this index.
+/// Calls `visit(Space<S, N>{})` with the space of a part's sheet.
 template <class Part, class Visit>
-void visit_sheet(std::size_t index, Visit&& visit) {
+void visit_space(std::size_t sheet, Visit&& visit) {
   std::size_t at = 0;
-  visit_groups<Part>([&]<class Group>(Group group) {
+  visit_groups<Part>([&]<class Group>(Group) {
     visit_spaces<Group>([&](auto space) {
-      if (at++ == index) visit(group, space);
+      if (at++ == sheet) visit(space);
     });
+  });
+}
+
+/// Calls `visit(Group{})` with the group of a part's sheet of N dimensions.
+template <class Part, int N, class Visit>
+void visit_group(std::size_t sheet, Visit&& visit) {
+  std::size_t first = 0;
+  visit_groups<Part>([&]<class Group>(Group group) {
+    const std::size_t last = first + spaces_of<Group>();
+    if constexpr (Group::template asks<N>) {
+      if (sheet >= first && sheet < last) visit(group);
+    }
+    first = last;
   });
 }
 
@@ -68,39 +81,55 @@ void judge_row(const Case& c, std::uint32_t index, std::optional<Finding>& findi
   }
 }
 
-/// The cells of a group in one space. Groups that take long to compile have one source per space:
-/// one_space.cpp.in.
-template <class Group, Scalar S, int N>
-struct GroupSheet {
-  static std::vector<Answers> answers(std::uint32_t size, bool keep_bytes);
-  static std::optional<Finding> first_wrong(std::size_t row, std::uint32_t size);
+/// The operations of `PartSheets` on sheets in one space. They can be compiled in a source of their
+/// own: one_space.cpp.in.
+template <class Part, Scalar S, int N>
+struct SpaceSheets {
+  static std::vector<Answers> answer(std::size_t sheet, std::uint32_t size, bool keep_bytes);
+  static std::uint64_t digest_of_questions(std::size_t sheet, std::uint32_t size);
+  static std::optional<Finding> first_wrong(std::size_t sheet, std::size_t row, std::uint32_t size);
 };
 
-template <class Group, Scalar S, int N>
-std::vector<Answers> GroupSheet<Group, S, N>::answers(std::uint32_t size, bool keep_bytes) {
-  std::array<RowSink, rows_of<Group>()> sinks;
-  for (auto& sink : sinks) sink.bytes = Sink(IntoBytes{keep_bytes, {}, {}});
-  visit_cases<Group, S, N>(size, [&](const auto& c) { answer_all<Group>(c, sinks); });
+template <class Part, Scalar S, int N>
+std::vector<Answers> SpaceSheets<Part, S, N>::answer(std::size_t sheet, std::uint32_t size,
+                                                     bool keep_bytes) {
   std::vector<Answers> answers;
-  answers.reserve(sinks.size());
-  for (const auto& sink : sinks) {
-    const auto& taken = sink.bytes.taken();
-    answers.push_back({taken.digest.value(), taken.bytes, sink.yes});
-  }
+  visit_group<Part, N>(sheet, [&]<class Group>(Group) {
+    std::array<RowSink, rows_of<Group>()> sinks;
+    for (auto& sink : sinks) sink.bytes = Sink(IntoBytes{keep_bytes, {}, {}});
+    visit_cases<Group, S, N>(size, [&](const auto& c) { answer_all<Group>(c, sinks); });
+    answers.reserve(sinks.size());
+    for (const auto& sink : sinks) {
+      const auto& taken = sink.bytes.taken();
+      answers.push_back({taken.digest.value(), taken.bytes, sink.yes});
+    }
+  });
   return answers;
 }
 
-template <class Group, Scalar S, int N>
-std::optional<Finding> GroupSheet<Group, S, N>::first_wrong(std::size_t row, std::uint32_t size) {
+template <class Part, Scalar S, int N>
+std::uint64_t SpaceSheets<Part, S, N>::digest_of_questions(std::size_t sheet, std::uint32_t size) {
+  Sink<IntoBytes> sink;
+  visit_group<Part, N>(sheet, [&]<class Group>(Group) {
+    visit_cases<Group, S, N>(size, [&](const auto& c) { sink.add(c); });
+  });
+  return sink.taken().digest.value();
+}
+
+template <class Part, Scalar S, int N>
+std::optional<Finding> SpaceSheets<Part, S, N>::first_wrong(std::size_t sheet, std::size_t row,
+                                                            std::uint32_t size) {
   std::optional<Finding> finding;
-  std::uint32_t index = 0;
-  visit_cases<Group, S, N>(size, [&]<class Case>(const Case& c) {
-    [&]<std::size_t... Row>(std::index_sequence<Row...>) {
-      if (finding) return;
-      ((Row == row ? judge_row<static_cast<int>(Row), Group>(c, index, finding) : void()), ...);
-    }
-    (std::make_index_sequence<rows_of<Group>()>{});
-    ++index;
+  visit_group<Part, N>(sheet, [&]<class Group>(Group) {
+    std::uint32_t index = 0;
+    visit_cases<Group, S, N>(size, [&]<class Case>(const Case& c) {
+      [&]<std::size_t... Row>(std::index_sequence<Row...>) {
+        if (finding) return;
+        ((Row == row ? judge_row<static_cast<int>(Row), Group>(c, index, finding) : void()), ...);
+      }
+      (std::make_index_sequence<rows_of<Group>()>{});
+      ++index;
+    });
   });
   return finding;
 }
@@ -111,27 +140,27 @@ template <class Part>
 std::vector<Answers> PartSheets<Part>::answer(std::size_t sheet, std::uint32_t size,
                                               bool keep_bytes) {
   std::vector<Answers> answers;
-  detail::visit_sheet<Part>(sheet, [&]<class Group, class S, int N>(Group, Space<S, N>) {
-    answers = detail::GroupSheet<Group, S, N>::answers(size, keep_bytes);
+  detail::visit_space<Part>(sheet, [&]<class S, int N>(Space<S, N>) {
+    answers = detail::SpaceSheets<Part, S, N>::answer(sheet, size, keep_bytes);
   });
   return answers;
 }
 
 template <class Part>
 std::uint64_t PartSheets<Part>::digest_of_questions(std::size_t sheet, std::uint32_t size) {
-  Sink<detail::IntoBytes> sink;
-  detail::visit_sheet<Part>(sheet, [&]<class Group, class S, int N>(Group, Space<S, N>) {
-    visit_cases<Group, S, N>(size, [&](const auto& c) { sink.add(c); });
+  std::uint64_t digest = 0;
+  detail::visit_space<Part>(sheet, [&]<class S, int N>(Space<S, N>) {
+    digest = detail::SpaceSheets<Part, S, N>::digest_of_questions(sheet, size);
   });
-  return sink.taken().digest.value();
+  return digest;
 }
 
 template <class Part>
 std::optional<Finding> PartSheets<Part>::first_wrong(std::size_t sheet, std::size_t row,
                                                      std::uint32_t size) {
   std::optional<Finding> finding;
-  detail::visit_sheet<Part>(sheet, [&]<class Group, class S, int N>(Group, Space<S, N>) {
-    finding = detail::GroupSheet<Group, S, N>::first_wrong(row, size);
+  detail::visit_space<Part>(sheet, [&]<class S, int N>(Space<S, N>) {
+    finding = detail::SpaceSheets<Part, S, N>::first_wrong(sheet, row, size);
   });
   return finding;
 }

@@ -148,11 +148,12 @@ struct Case {
 
   /// A contact and a time of impact of two shapes.
   template <class A, class B>
-  void check_pair(const A& a, const typename T::Shape& one, const B& b,
-                  const typename T::Shape& other, const Sweep<S, N>& sweep, Share& share) const {
+  void check_pair(const A& a, const typename T::Shape& first, const B& b,
+                  const typename T::Shape& second, const Sweep<S, N>& sweep, Share& share) const {
     const auto expected = detent::contact(a, b);
     typename T::Manifold found{};
-    REQUIRE(C::shapes_contact(context, &one, &other, &found) == c::yes_or_no(expected.has_value()));
+    REQUIRE(C::shapes_contact(context, &first, &second, &found) ==
+            c::yes_or_no(expected.has_value()));
     if (expected) {
       REQUIRE(c::Input<N>().direction(found.normal) == expected->normal);
       REQUIRE(found.depth == expected->depth.raw());
@@ -168,7 +169,7 @@ struct Case {
                                    Output<N>::rotation(sweep.end_rotation)};
     const auto meeting = detent::time_of_impact(a, sweep, b, S::from_raw(8));
     detent_impact impact{};
-    REQUIRE(C::shapes_time_of_impact(context, &one, &motion, &other, nullptr, 8, &impact) ==
+    REQUIRE(C::shapes_time_of_impact(context, &first, &motion, &second, nullptr, 8, &impact) ==
             c::yes_or_no(meeting.has_value()));
     if (!meeting) return;
     REQUIRE(impact.time == meeting->time.raw());

@@ -16,6 +16,9 @@ if message=$(tests/support/within_memory 5 "${compile[@]}" 2>&1); then
   exit 1
 fi
 [[ $message == *"main.o took "*" MB, more than 5 MB"* ]] || { echo "unclear: $message"; exit 1; }
+mkdir "$work/joined"
+message=$(tests/support/within_memory 5 "${compile[@]/main.o/joined/main.o}" 2>&1 || true)
+[[ $message == *"more than 10 MB"* ]] || { echo "a joined source may take twice as much: $message"; exit 1; }
 if tests/support/within_memory 900 false; then
   echo "a compiler's error status is lost"
   exit 1

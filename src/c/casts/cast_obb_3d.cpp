@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#define DETENT_C_CASTS_OF Obb
-#include "c/casts.hpp"
+#include "c/casts/cast_at.hpp"
 
 namespace detent::c {
-DETENT_C_CASTS(3)
+DETENT_C_CASTS(3, Obb)
 }  // namespace detent::c

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#define DETENT_C_MOVERS_OF
 #include "c/box_casts.hpp"
-#include "c/movers.hpp"
+#include "c/casts/mover_of.hpp"
 
 namespace detent::c {
 template struct MoverOf<3, Aabb>;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#define DETENT_C_MOVERS_OF
-#include "c/movers.hpp"
+#include "c/casts/mover_of.hpp"
 
 namespace detent::c {
 template struct MoverOf<2, Capsule>;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
-#define DETENT_C_MOVER_CASTS template
-#define DETENT_C_ANSWER 20
 #include "c/mover_casts.hpp"
+
+namespace detent::detail {
+DETENT_C_SCENE_SHAPES(DETENT_C_CAST_DISTANCE, 2)
+}  // namespace detent::detail

@@ -8,14 +8,12 @@
 
 namespace detent::test {
 
-template <Scalar S, int N>
-using Points = std::pair<Vec<S, N>, Vec<S, N>>;
-
 /// The points between every two kinds of shapes: two ends on the x axis.
 template <Scalar S, int N>
 void check_closest_points() {
-  const auto check = [](const Points<S, N>& got, double first, double second) {
-    CHECK(got == Points<S, N>{at<S, N>(first), at<S, N>(second)});
+  using Points = std::pair<Vec<S, N>, Vec<S, N>>;
+  const auto check = [](const Points& got, double first, double second) {
+    CHECK(got == Points{at<S, N>(first), at<S, N>(second)});
   };
   const auto check_all = [&](const auto& a) {
     visit_shapes<S, N>(4, [&](const auto& b) {
