@@ -264,6 +264,24 @@ class BasicWorld {
       }
     }
   }
+  /// The force of a joint on its body b, the opposite of that on a: the sum of its pushes in the
+  /// last substep that solved it, along their directions now. A joint breaks when this is longer than
+  /// its `break_force`. Zero if no joint has this id, and before the first step.
+  ///
+  /// exact:  each component rounded and clamped, as docs/joints.md says
+  ///                                                       (tests/dynamics/joint/force.test.cpp)
+  [[nodiscard]] constexpr Vec<S, N> joint_force(const JointId& id) const noexcept
+      requires(has_joints) {
+    const auto* record = joints_.find(id);
+    if (record == nullptr) return {};
+    const auto pair = record->bodies();
+    const auto load = Tick::Group::load_of(*record, bodies_, pace_.rate);
+    return make_vec<N>([&](int k) {
+      return detail::momentum_of<S>(bodies_[pair.a], bodies_[pair.b], load[k],
+                                    pace_.rate * pace_.rate);
+    });
+  }
+
   /// The joints that broke in the last step and were removed, in order of their indices.
   [[nodiscard]] constexpr std::size_t broken_count() const noexcept requires(has_joints) {
     return joints_.broken.size();

@@ -61,15 +61,7 @@ class JointGroup {
       const auto pair = record.bodies();
       const auto &a = bodies[pair.a], &b = bodies[pair.b];
       if ((!a.can_move() || a.sleeps) && (!b.can_move() || b.sleeps)) continue;
-      Ready ready;
-      ready.joint = static_cast<std::uint32_t>(i);
-      ready.a = pair.a;
-      ready.b = pair.b;
-      const auto [share_a, share_b] = mass_shares<S>(a, b);
-      ready.share_a = share_a;
-      ready.share_b = share_b;
-      const LayOut<S, N, Ready, std::remove_cvref_t<decltype(a)>> lay_out(ready, a, b, rate);
-      record.joint.visit(lay_out);
+      const Ready ready = ready_of(record, static_cast<std::uint32_t>(i), bodies, rate);
       for (std::size_t k = 0; k < record.push.size(); ++k) {
         if (ready.push[k].terms.law == Law::none) record.push[k] = {};
       }
@@ -159,6 +151,16 @@ class JointGroup {
     if constexpr (has_fours) {
       for (auto& four : fours_) scatter(four, joints);
     }
+  }
+
+  /// The sum of all pushes of a joint along their directions, for the current poses of its bodies.
+  template <class Bodies>
+  [[nodiscard]] static constexpr auto load_of(const Record& record, const Bodies& bodies,
+                                              int rate) noexcept {
+    Ready ready = ready_of(record, 0, bodies, rate);
+    const auto a = support_of<S, N>(bodies[ready.a]), b = support_of<S, N>(bodies[ready.b]);
+    record.joint.visit(Aim<S, N, Ready>(ready, a, b));
+    return load_of(ready, record);
   }
 
   /// Calls f(index) for each joint that broke in this tick, in order.
@@ -343,10 +345,26 @@ class JointGroup {
     }
   }
 
-  /// Whether the sum of all pushes is longer than the strength of the joint.
-  static constexpr bool is_overloaded(const Ready& ready, const Record& record) noexcept {
+  /// A joint before its rows are aimed.
+  template <class Bodies>
+  static constexpr Ready ready_of(const Record& record, std::uint32_t joint, const Bodies& bodies,
+                                  int rate) noexcept {
+    const auto pair = record.bodies();
+    const auto &a = bodies[pair.a], &b = bodies[pair.b];
+    Ready ready;
+    ready.joint = joint;
+    ready.a = pair.a;
+    ready.b = pair.b;
+    const auto [share_a, share_b] = mass_shares<S>(a, b);
+    ready.share_a = share_a;
+    ready.share_b = share_b;
+    record.joint.visit(LayOut<S, N, Ready, std::remove_cvref_t<decltype(a)>>(ready, a, b, rate));
+    return ready;
+  }
+
+  static constexpr auto load_of(const Ready& ready, const Record& record) noexcept {
     using Length = typename Formats<S>::Length;
-    const auto load = make_vec<N>([&](int i) {
+    return make_vec<N>([&](int i) {
       Length sum{};
       for (std::size_t k = 0; k < record.push.size(); ++k) {
         if (ready.push[k].terms.law == Law::none) continue;
@@ -355,7 +373,10 @@ class JointGroup {
       }
       return sum;
     });
-    return squared_length(load) > square(ready.strength);
+  }
+  /// Whether the sum of all pushes is longer than the strength of the joint.
+  static constexpr bool is_overloaded(const Ready& ready, const Record& record) noexcept {
+    return squared_length(load_of(ready, record)) > square(ready.strength);
   }
 
   typename Storage::template List<Ready, room> ready_;

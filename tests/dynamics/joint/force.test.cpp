@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// The forces of joints: exact, in balance with other forces, and those at which joints break.
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+#include "dynamics/joint/helpers.hpp"
+#include "oracle/space.hpp"
+#include "support/catch.hpp"
+
+namespace detent::test {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+
+template <int B, int F>
+Rational exact(const Fixed<B, F>& x) {
+  return Rational(std::int64_t(x.raw())) / Rational(std::int64_t{1} << F);
+}
+
+template <Scalar S, int N>
+double length_of(const Vec<S, N>& v) {
+  double sum = 0;
+  for (int k = 0; k < N; ++k) sum += static_cast<double>(v[k]) * static_cast<double>(v[k]);
+  return std::sqrt(sum);
+}
+
+template <Scalar S, int N>
+BodyOptions<S, N> of_density(double density) {
+  BodyOptions<S, N> options;
+  options.density = num<S>(density);
+  return options;
+}
+
+/// A ball on a rod below a fixed one, at rest.
+template <Scalar S, int N>
+struct Pendulum {
+  explicit Pendulum(double density) : world(sleepless<S, N>()) {
+    const auto top = add_small_ball<S, N>(world, 0, 0, 0.5, fixed_body<S, N>());
+    ball = add_small_ball<S, N>(world, 0, -3, 0.5, of_density<S, N>(density));
+    DistanceJoint<S, N> rod;
+    rod.a = top;
+    rod.b = ball;
+    rod.least = rod.most = S(3);
+    joint = world.add(rod).value_or(no_joint);
+    CHECK(world.joint_force(joint) == Vec<S, N>{});
+    for (int t = 0; t < 120; ++t) world.step();
+  }
+
+  JointedWorld<S, N> world;
+  BodyId ball{};
+  JointId joint{};
+};
+
+TEMPLATE_TEST_CASE("joint force: carries a weight", "[.all]", DETENT_EVERYDAY_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  Pendulum<S, N> pendulum(2);
+  const auto weight = 10 * static_cast<double>(pendulum.world.mass(pendulum.ball));
+  const auto force = pendulum.world.joint_force(pendulum.joint);
+  const double margin = weight / 1000 + 2.0 / 256;
+  for (int k = 0; k < N; ++k) {
+    CHECK(std::abs(static_cast<double>(force[k]) - (k == 1 ? weight : 0)) < margin);
+  }
+  const JointId other{pendulum.joint.index, pendulum.joint.generation + 1};
+  CHECK(pendulum.world.joint_force(other) == Vec<S, N>{});
+  CHECK(pendulum.world.joint_force(no_joint) == Vec<S, N>{});
+}
+
+TEMPLATE_TEST_CASE("joint force: is where a joint breaks", "", (Space<q16_16, 2>),
+                   (Space<q16_16, 3>)) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  for (const double share : {0.98, 1.02}) {
+    Pendulum<S, N> pendulum(2);
+    auto rod = *pendulum.world.template find_joint<DistanceJoint<S, N>>(pendulum.joint);
+    rod.break_force = num<S>(share * length_of(pendulum.world.joint_force(pendulum.joint)));
+    REQUIRE(pendulum.world.change(pendulum.joint, rod));
+    pendulum.world.step();
+    CHECK(pendulum.world.contains(pendulum.joint) == (share > 1));
+  }
+}
+
+TEMPLATE_TEST_CASE("joint force: of every kind, two bodies are pulled apart and stay together", "",
+                   (DistanceJoint<q16_16, 2>), (BallJoint<q16_16, 2>), (HingeJoint<q16_16, 2>),
+                   (WeldJoint<q16_16, 2>)) {
+  using S = q16_16;
+  WorldSettings<S, 2> settings = sleepless<S, 2>();
+  settings.gravity = {};
+  JointedWorld<S, 2> world(settings);
+  const auto left = add_box<S, 2>(world, -1, 0, 0.5, 0.5, of_density<S, 2>(3));
+  const auto right = add_box<S, 2>(world, 1, 0, 0.5, 0.5);
+  auto joint = joint_at<TestType>(world, left, right, 0, 0);
+  if constexpr (std::is_same_v<TestType, DistanceJoint<S, 2>>) {
+    joint.anchor_a = joint.anchor_b = {};
+    joint.least = joint.most = S(2);
+  }
+  const auto id = world.add(joint).value_or(no_joint);
+  for (int t = 0; t < 60; ++t) {
+    world.apply_force(left, at<S, 2>(-40, 0));
+    world.apply_force(right, at<S, 2>(40, 0));
+    world.step();
+  }
+  const auto force = world.joint_force(id);
+  CHECK(std::abs(static_cast<double>(force.x) + 40) < 0.1);  // b is held back
+  CHECK(std::abs(static_cast<double>(force.y)) < 0.1);
+}
+
+TEMPLATE_TEST_CASE("joint force: each component is the exact one, rounded once and clamped", "",
+                   (Space<q16_16, 3>), (Space<q8_8, 3>)) {
+  using S = typename TestType::scalar;
+  // Ball joints push along the axes of the world, so their impulses are the loads.
+  using Sphere3 = Sphere<S, 3>;
+  World<S, 3, Sphere, BallJoint> world(sleepless<S, 3>());
+  std::vector<JointId> joints;
+  const auto add = [&](double x, double density, bool moves) {
+    auto options = of_density<S, 3>(density);
+    if (!moves) options.motion = BodyMotion::fixed;
+    return world.add(Sphere3{at<S, 3>(x, 20), num<S>(0.5)}, options).value_or(no_object);
+  };
+  BodyId last = add(0, 1, false);
+  for (int i = 1; i < 8; ++i) {
+    const auto next = add(i, 0.25 * i, true);
+    BallJoint<S, 3> joint;
+    joint.a = last;
+    joint.b = next;
+    joint.anchor_a = at<S, 3>(0.5, 0);
+    joint.anchor_b = at<S, 3>(-0.5, 0);
+    joints.push_back(world.add(joint).value_or(no_joint));
+    last = next;
+  }
+  for (int t = 0; t < 90; ++t) {
+    world.step();
+    const auto& records = detail::WorldAccess::joints(world).list;
+    const auto& bodies = detail::WorldAccess::bodies(world);
+    for (const auto& id : joints) {
+      const auto& record = records[id.index];
+      const auto pair = record.bodies();
+      const auto inverse = [&](std::uint32_t body) {
+        return bodies[body].can_move() ? Rational(1 / exact(bodies[body].mass)) : Rational(0);
+      };
+      const auto force = world.joint_force(id);
+      for (int k = 0; k < 3; ++k) {
+        const Rational load = exact(record.push[static_cast<std::size_t>(k)]) * (240 * 240) /
+                              (inverse(pair.a) + inverse(pair.b));
+        const auto expected = std::clamp(load, exact(S::lowest()), exact(S::max()));
+        CHECK(2 * abs(exact(force[k]) - expected) <= exact(S::from_raw(1)));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace detent::test
