@@ -49,7 +49,13 @@ LongInteger& LongInteger::operator=(LongInteger&& other) noexcept {
 
 LongInteger::operator std::int64_t() const { return static_cast<std::int64_t>(number(*this)); }
 LongInteger::operator int() const { return static_cast<int>(number(*this)); }
-LongInteger::operator double() const { return static_cast<double>(number(*this)); }
+LongInteger::operator double() const {
+  // Boost scales and adds all words, which takes most programs that convert longer than the rest.
+  const auto& words = number(*this).backend();
+  if (words.size() > 1) return static_cast<double>(number(*this));
+  const auto magnitude = static_cast<double>(*words.limbs());
+  return words.sign() ? -magnitude : magnitude;
+}
 
 int LongInteger::sign() const { return number(*this).sign(); }
 std::string LongInteger::str() const { return number(*this).str(); }
