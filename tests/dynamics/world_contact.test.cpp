@@ -4,11 +4,11 @@
 // rationals. tests/dynamics/world_contact_zoo.test.cpp has bodies of every kind.
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <vector>
 
 #include "detent/dynamics/dynamics.hpp"
+#include "dynamics/exact.hpp"
 #include "dynamics/stage.hpp"
 #include "dynamics/terrain.hpp"
 #include "oracle/space.hpp"
@@ -16,8 +16,6 @@
 
 namespace detent::test {
 namespace {
-
-using Rational = boost::multiprecision::cpp_rational;
 
 template <class World>
 auto contacts_of(const World& world) {
@@ -32,11 +30,6 @@ void step(World& world, int ticks) {
 template <class S>
 double d(const S& x) {
   return static_cast<double>(x);
-}
-/// The raw number, exactly, with `frac` bits behind the point.
-template <int B, int F>
-Rational exact(const Fixed<B, F>& x) {
-  return Rational(std::int64_t(x.raw())) / Rational(std::int64_t{1} << F);
 }
 /// Half a step of a scalar, and a little for numbers that were rounded before.
 template <class S>

@@ -268,6 +268,7 @@ class BasicWorld {
   /// last substep that solved it, along their directions now. A joint breaks when this is longer than
   /// its `break_force`. Zero if no joint has this id, and before the first step.
   ///
+  /// units:  force in units of mass times units per second squared
   /// exact:  each component rounded and clamped, as docs/joints.md says
   ///                                                       (tests/dynamics/joint/force.test.cpp)
   [[nodiscard]] constexpr Vec<S, N> joint_force(const JointId& id) const noexcept

@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The forces of joints: exact, in balance with other forces, and those at which joints break.
 #include <algorithm>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <type_traits>
 #include <vector>
 
+#include "dynamics/exact.hpp"
 #include "dynamics/joint/helpers.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
 
 namespace detent::test {
 namespace {
-
-using Rational = boost::multiprecision::cpp_rational;
-
-template <int B, int F>
-Rational exact(const Fixed<B, F>& x) {
-  return Rational(std::int64_t(x.raw())) / Rational(std::int64_t{1} << F);
-}
-
-template <Scalar S, int N>
-double length_of(const Vec<S, N>& v) {
-  double sum = 0;
-  for (int k = 0; k < N; ++k) sum += static_cast<double>(v[k]) * static_cast<double>(v[k]);
-  return std::sqrt(sum);
-}
 
 template <Scalar S, int N>
 BodyOptions<S, N> of_density(double density) {
@@ -76,7 +62,8 @@ TEMPLATE_TEST_CASE("joint force: is where a joint breaks", "", (Space<q16_16, 2>
   for (const double share : {0.98, 1.02}) {
     Pendulum<S, N> pendulum(2);
     auto rod = *pendulum.world.template find_joint<DistanceJoint<S, N>>(pendulum.joint);
-    rod.break_force = num<S>(share * length_of(pendulum.world.joint_force(pendulum.joint)));
+    rod.break_force =
+        num<S>(share * static_cast<double>(length(pendulum.world.joint_force(pendulum.joint))));
     REQUIRE(pendulum.world.change(pendulum.joint, rod));
     pendulum.world.step();
     CHECK(pendulum.world.contains(pendulum.joint) == (share > 1));

@@ -2,18 +2,17 @@
 #pragma once
 
 #include <array>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "dynamics/exact.hpp"
 #include "dynamics/manifold/helpers.hpp"
 
 // Exact points, and poses drawn in double.
 
 namespace detent::test {
 
-using Rational = boost::multiprecision::cpp_rational;
 using Point = std::vector<Rational>;
 
 inline Rational dot(const Point& a, const Point& b) {
