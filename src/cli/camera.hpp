@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <bit>
 #include <type_traits>
 
 #include "detent/detent.hpp"
+#include "view.hpp"
 
 namespace detent::cli {
 
@@ -14,15 +14,9 @@ inline constexpr int largest_image = 1 << 14;
 
 /// A vector in doubles, which represent the numbers of every scalar.
 template <class T>
-[[nodiscard]] std::array<double, 3> in_double(const Vec<T, 3>& v) {
+[[nodiscard]] Double3 in_double(const Vec<T, 3>& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
-
-/// A camera in doubles, to draw over a picture. The point at x, y and depth is position + depth
-/// (ahead + x right + y up), with y from -1 to 1, and x too in a square picture.
-struct View {
-  std::array<double, 3> position, ahead, right, up;
-};
 
 /// A pinhole camera that computes its rays in its scalar's own arithmetic: sums and products are
 /// exact for a `Fixed`, and the resulting direction is rounded once.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "outlines.hpp"
+#include "workers.hpp"
 
 namespace detent::cli {
 
@@ -38,7 +39,8 @@ struct CastReport {
 
 template <Scalar S>
 [[nodiscard]] CastReport cast_throws(const Scene& scene, const Move& move,
-                                     const std::vector<Throw>& throws, bool are_drawn);
+                                     const std::vector<Throw>& throws, bool are_drawn,
+                                     const Workers& workers);
 
 /// A shape of the scene that a body overlaps, and how to separate them: the body moves by `push`,
 /// which is `depth` long.
@@ -62,7 +64,8 @@ struct ContactReport {
 
 template <Scalar S>
 [[nodiscard]] ContactReport contacts_of(const Scene& scene, const Move& move,
-                                        const std::vector<Throw>& bodies, bool are_drawn);
+                                        const std::vector<Throw>& bodies, bool are_drawn,
+                                        const Workers& workers);
 
 /// A ball that rolls over the ground to other balls, 1/1024 above it, and a capsule that walks to a
 /// house.

@@ -10,12 +10,13 @@
 #include "embedded.hpp"
 #include "painter.hpp"
 #include "print.hpp"
+#include "workers.hpp"
 
 namespace detent::cli {
 namespace {
 
-constexpr int ticks = 240;  // the ball arrives at about 60
-constexpr int shown = 105;  // the tick of the picture
+constexpr int ticks = 240;       // the ball arrives at about 60
+constexpr int shown_tick = 105;  // the tick of the picture
 
 /// The distance of bodies from their positions in another world.
 struct Apart {
@@ -41,20 +42,20 @@ struct Rows {
 
 /// The world in one scalar, near and far.
 template <Scalar S>
-Rows rows(const WorldModel& model, const char* scalar, Size size) {
+Rows rows(const WorldModel& model, const std::string& scalar, const DemoOptions& options) {
   const Decimal distance = Decimal::parse(far_away).value();
   const auto close = make_simulation<S, 3>(model, {});
   const auto away = make_simulation<S, 3>(model, {{distance, distance, distance}});
-  const Painter painter(model, *close, size);
+  const Painter painter(model, *close, options.size);
   const auto step = [&](int count) {
-    for (int i = 0; i < count; ++i) {
-      close->step();
-      away->step();
-    }
+    for_each_index({options.threads, ""}, 2, [&](int which) {
+      Simulation& simulation = which == 0 ? *close : *away;
+      for (int i = 0; i < count; ++i) simulation.step();
+    });
   };
-  step(shown);
+  step(shown_tick);
   const Image picture = painter.picture(close->facets()), other = painter.picture(away->facets());
-  step(ticks - shown);
+  step(ticks - shown_tick);
 
   std::string text;
   for (const Simulation* const simulation : {close.get(), away.get()}) {
@@ -64,9 +65,8 @@ Rows rows(const WorldModel& model, const char* scalar, Size size) {
                       std::to_string(simulation->asleep()), std::to_string(errors.off),
                       rounded(errors.largest, 4), hexadecimal(simulation->digest())});
   }
-  const std::string name = scalar;
-  return {panel_row({{picture, name + ", near the origin"},
-                     {other, name + ", moved by " + far_away},
+  return {panel_row({{picture, scalar + ", near the origin"},
+                     {other, scalar + ", moved by " + far_away},
                      difference_panel(picture, other)}),
           text};
 }
@@ -75,8 +75,8 @@ Rows rows(const WorldModel& model, const char* scalar, Size size) {
 
 BodyPage body_page(const DemoOptions& options) {
   const WorldModel model = parse_world("pyramid.json", std::string(pyramid_json));
-  const Rows fixed = rows<q16_16>(model, "q16_16", options.size);
-  const Rows floating = rows<float>(model, "float", options.size);
+  const Rows fixed = rows<q16_16>(model, "q16_16", options);
+  const Rows floating = rows<float>(model, "float", options);
   return {stacked({fixed.picture, floating.picture}),
           "a ball thrown at a pyramid of boxes, far compared with near in the same scalar\n"
           "(off: bodies that end more than 1/1024 from where they end near the origin):\n",

@@ -161,8 +161,9 @@ CastPage cast_page(const Scene& scene, const DemoOptions& options) {
       const std::string place = is_far ? "far" : "near", scalar = is_fixed ? "q16_16" : "float";
       const std::string caption = scalar + ", " + place + ": ";
       const auto report = [&](const std::vector<Throw>& list, bool are_drawn) {
-        return is_fixed ? cast_throws<q16_16>(scene, move, list, are_drawn)
-                        : cast_throws<float>(scene, move, list, are_drawn);
+        const Workers workers{options.threads, "casting shapes " + place + ' ' + scalar};
+        return is_fixed ? cast_throws<q16_16>(scene, move, list, are_drawn, workers)
+                        : cast_throws<float>(scene, move, list, are_drawn, workers);
       };
       const CastReport shown = report(shown_throws(), true), many = report(throws, false);
       const auto length = [&](const std::optional<double>& d) {
@@ -182,8 +183,9 @@ CastPage cast_page(const Scene& scene, const DemoOptions& options) {
                          rounded(errors.largest, 4), hexadecimal(many.digest)});
 
       const auto contacts = [&](const std::vector<Throw>& list, bool are_drawn) {
-        return is_fixed ? contacts_of<q16_16>(scene, move, list, are_drawn)
-                        : contacts_of<float>(scene, move, list, are_drawn);
+        const Workers workers{options.threads, "finding contacts " + place + ' ' + scalar};
+        return is_fixed ? contacts_of<q16_16>(scene, move, list, are_drawn, workers)
+                        : contacts_of<float>(scene, move, list, are_drawn, workers);
       };
       const ContactReport shown_contacts = contacts(shown_bodies, true),
                           many_contacts = contacts(bodies, false);

@@ -11,7 +11,6 @@
 namespace detent::cli {
 namespace {
 
-using Form = ExactShape::Form;
 using Vector = oracle::Vector<3>;
 
 /// Raises `frac` until all numbers are whole in units of 2^-frac.
@@ -42,6 +41,7 @@ struct Reader {
 
   [[nodiscard]] oracle::Line<3> line() const { return {point(0), direction(0), one(), length(3)}; }
   [[nodiscard]] oracle::Solid<3> solid() const {
+    using Form = ExactShape::Form;
     switch (shape.form) {
       case Form::ball:
         return oracle::Ball<3>{point(0), length(3)};

@@ -22,7 +22,7 @@ namespace {
 constexpr int text_scale = 2;
 
 /// The vertex format of stb_easy_font.
-struct Corner {
+struct FontVertex {
   float x, y, z;
   std::array<unsigned char, 4> colour;
 };
@@ -51,7 +51,7 @@ void Image::write(int x, int y, const std::string& text, Colour colour) {
   const int quads = stb_easy_font_print(0, 0, line.data(), nullptr, buffer.data(),
                                         static_cast<int>(buffer.size()));
   for (int i = 0; i < quads; ++i) {
-    std::array<Corner, 4> quad;
+    std::array<FontVertex, 4> quad;
     std::memcpy(quad.data(), buffer.data() + static_cast<std::size_t>(i) * sizeof(quad),
                 sizeof(quad));
     const auto scaled = [](float value) { return static_cast<int>(value) * text_scale; };

@@ -8,10 +8,6 @@
 namespace detent::cli {
 namespace {
 
-using Double3 = std::array<double, 3>;
-
-double inner(const Double3& a, const Double3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /// A point on the screen, in pixels from the middle of the first one. `nearness` is 1 / depth: like
 /// x and y, it is linear along the picture of a line.
 struct ScreenPoint {
@@ -28,7 +24,7 @@ class Overlay {
       : picture_(picture), view_(view), found_(found) {}
 
   void draw(const Outline& line) {
-    auto a = in_view(line.a), b = in_view(line.b);
+    auto a = view_.seen(line.a), b = view_.seen(line.b);
     if (!clip_front(a, b)) return;
     auto from = on_screen(a), to = on_screen(b);
     if (!clip(from, to)) return;
@@ -50,14 +46,6 @@ class Overlay {
  private:
   /// The depth of the near plane, in lengths of the view's vectors.
   static constexpr double closest = 1e-3;
-
-  /// Depth, right and up, in lengths of the view's vectors.
-  Double3 in_view(const Double3& point) const {
-    const Double3 offset{point[0] - view_.position[0], point[1] - view_.position[1],
-                         point[2] - view_.position[2]};
-    const auto along = [&](const Double3& axis) { return inner(offset, axis) / inner(axis, axis); };
-    return {along(view_.ahead), along(view_.right), along(view_.up)};
-  }
 
   /// The part of a line in front of the camera; false if there is none.
   static bool clip_front(Double3& a, Double3& b) {

@@ -9,19 +9,10 @@
 namespace detent::cli {
 namespace {
 
-using Double3 = std::array<double, 3>;
-
 /// Each pixel is the mean of this many squared.
 constexpr int samples = 2;
 constexpr Colour sky{0xd8, 0xe4, 0xee};
 
-Double3 minus(const Double3& a, const Double3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double inner(const Double3& a, const Double3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Double3 outer(const Double3& a, const Double3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 std::optional<Double3> unit(const Double3& a) {
   const double length = std::sqrt(inner(a, a));
   if (!(length > 0)) return std::nullopt;
@@ -196,11 +187,6 @@ Image Painter::picture(const std::vector<Facet>& facets) const {
   Canvas canvas(size_.width, size_.height);
   const double middle_x = (canvas.width() - 1) / 2.0, middle_y = (canvas.height() - 1) / 2.0;
   const double scale = canvas.height() / 2.0;
-  const auto seen = [&](const Double3& point) {
-    const auto offset = minus(point, view_.position);
-    const auto along = [&](const Double3& axis) { return inner(offset, axis) / inner(axis, axis); };
-    return Double3{along(view_.ahead), along(view_.right), along(view_.up)};
-  };
   const auto on_screen = [&](const Double3& p, double depth) {
     return Corner{middle_x + p[1] / depth * scale, middle_y - p[2] / depth * scale, 1 / depth};
   };
@@ -210,7 +196,7 @@ Image Painter::picture(const std::vector<Facet>& facets) const {
       order *= 1 - 1e-9;
       std::array<Corner, 3> corners{};
       for (std::size_t i = 0; i < 3; ++i) {
-        corners[i] = on_screen(seen(facet.corners[i]), 1);
+        corners[i] = on_screen(view_.seen(facet.corners[i]), 1);
         corners[i].nearness = 1 / order;
       }
       // The outline goes from corner 0 to corner 1; corner 2 is the middle of the body.
@@ -247,7 +233,7 @@ Image Painter::picture(const std::vector<Facet>& facets) const {
       });
     };
     std::array<Double3, 3> t{};
-    for (std::size_t i = 0; i < 3; ++i) t[i] = seen(facet.corners[i]);
+    for (std::size_t i = 0; i < 3; ++i) t[i] = view_.seen(facet.corners[i]);
     for (const auto& front : in_front(t)) part(front);
   }
   return canvas.reduced();

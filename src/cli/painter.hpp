@@ -4,10 +4,10 @@
 #include <array>
 #include <vector>
 
-#include "camera.hpp"
 #include "image.hpp"
 #include "simulation.hpp"
 #include "tracer.hpp"
+#include "view.hpp"
 
 namespace detent::cli {
 

@@ -123,7 +123,7 @@ bool PolygonCutter::is_ear(std::size_t corner) {
   // Row by row, from the first to the last column that the triangle reaches in the row, plus a
   // margin for rounding, so that no corner is in a cell that is skipped.
   const double height = (high_.v - low_.v) / static_cast<double>(side_);
-  const double margin = (high_.u - low_.u) / static_cast<double>(side_) / 8;
+  const double slack = (high_.u - low_.u) / static_cast<double>(side_) / 8;
   const std::size_t last_row = cell_of(high.v, low_.v, high_.v);
   for (std::size_t row = cell_of(low.v, low_.v, high_.v); row <= last_row; ++row) {
     const double bottom = low_.v + height * (static_cast<double>(row) - 0.125);
@@ -137,8 +137,8 @@ bool PolygonCutter::is_ear(std::size_t corner) {
         last = std::max({last, u, p.v == q.v ? q.u : u});
       }
     }
-    const std::size_t last_column = cell_of(last + margin, low_.u, high_.u);
-    for (std::size_t column = cell_of(first - margin, low_.u, high_.u); column <= last_column;
+    const std::size_t last_column = cell_of(last + slack, low_.u, high_.u);
+    for (std::size_t column = cell_of(first - slack, low_.u, high_.u); column <= last_column;
          ++column) {
       auto& cell = cells_[row * side_ + column];
       std::erase_if(cell, [&](std::size_t i) { return !reflex_[i]; });

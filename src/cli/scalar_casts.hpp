@@ -25,44 +25,60 @@ class Caster {
     for (std::size_t i = 0; i < 3; ++i) move_[i] = move.by[i].to<double>().value();
   }
 
-  [[nodiscard]] CastReport report(const std::vector<Throw>& throws, bool are_drawn) const {
+  [[nodiscard]] CastReport report(const std::vector<Throw>& throws, bool are_drawn,
+                                  const Workers& workers) const {
+    std::vector<std::optional<Hit>> hits(throws.size());
+    for_each_index(workers, static_cast<int>(throws.size()), [&](int i) {
+      const Throw& thrown = throws[static_cast<std::size_t>(i)];
+      hits[static_cast<std::size_t>(i)] =
+          first(capsule_of(thrown), direction_of_throw(thrown), scalar(thrown.max_distance));
+    });
+
     CastReport result;
     Digest digest;
-    for (const Throw& thrown : throws) {
-      const auto direction = direction_of<S>(vector(thrown.way)).value();
-      const S reach = scalar(thrown.max_distance);
-      const Capsule<S, 3> capsule{position(thrown.a), position(thrown.b), scalar(thrown.radius)};
-      const auto hit = first(capsule, direction, reach);
+    for (std::size_t i = 0; i < throws.size(); ++i) {
+      const auto& hit = hits[i];
       digest.add(hit.has_value());
       if (hit) digest.add(hit->distance);
       result.distances.push_back(hit ? std::optional(static_cast<double>(hit->distance))
                                      : std::nullopt);
       if (!are_drawn) continue;
-      const auto by = nearest_to<S>(direction * (hit ? hit->distance : reach));
-      draw_throw(result, capsule, by, hit, thrown.colour);
+      const S distance = hit ? hit->distance : scalar(throws[i].max_distance);
+      const auto by = nearest_to<S>(direction_of_throw(throws[i]) * distance);
+      draw_throw(result, capsule_of(throws[i]), by, hit, throws[i].colour);
     }
     result.digest = digest.value();
     return result;
   }
 
-  [[nodiscard]] ContactReport contacts(const std::vector<Throw>& bodies, bool are_drawn) const {
+  [[nodiscard]] ContactReport contacts(const std::vector<Throw>& bodies, bool are_drawn,
+                                       const Workers& workers) const {
+    struct Found {
+      std::size_t shape;
+      Contact<S, 3> contact;
+    };
+    std::vector<std::vector<Found>> found(bodies.size());
+    for_each_index(workers, static_cast<int>(bodies.size()), [&](int i) {
+      const auto body = static_cast<std::size_t>(i);
+      for (std::size_t k = 0; k < shapes_.size(); ++k) {
+        const auto contact = contact_with(shapes_[k], capsule_of(bodies[body]));
+        if (contact) found[body].push_back({k, *contact});
+      }
+    });
+
     ContactReport result;
     Digest digest;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-      const Throw& body = bodies[i];
-      const Capsule<S, 3> capsule{position(body.a), position(body.b), scalar(body.radius)};
       if (are_drawn) {
         MeshModel unused{};
         Sink sink{result.lines, unused, move_};
-        draw(sink, capsule, body.colour);
+        draw(sink, capsule_of(bodies[i]), bodies[i].colour);
       }
-      for (std::size_t k = 0; k < shapes_.size(); ++k) {
-        const auto found = contact_with(shapes_[k], capsule);
-        if (!found) continue;
-        digest.add(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k), *found);
+      for (const auto& [shape, contact] : found[i]) {
+        digest.add(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(shape), contact);
         result.overlaps.push_back(
-            {i, k, static_cast<double>(found->depth), in_double(separation(*found))});
-        if (are_drawn) draw_contact(result, *found);
+            {i, shape, static_cast<double>(contact.depth), in_double(separation(contact))});
+        if (are_drawn) draw_contact(result, contact);
       }
     }
     result.digest = digest.value();
@@ -104,6 +120,12 @@ class Caster {
   }
   Vec<S, 3> position(const std::array<double, 3>& p) const {
     return vector({p[0] + move_[0], p[1] + move_[1], p[2] + move_[2]});
+  }
+  Capsule<S, 3> capsule_of(const Throw& thrown) const {
+    return {position(thrown.a), position(thrown.b), scalar(thrown.radius)};
+  }
+  static Direction<S, 3> direction_of_throw(const Throw& thrown) {
+    return direction_of<S>(vector(thrown.way)).value();
   }
 
   /// The nearest hit, of equally near ones that of the first shape in the file.
@@ -216,14 +238,14 @@ class Caster {
 
 template <Scalar S>
 CastReport cast_throws(const Scene& scene, const Move& move, const std::vector<Throw>& throws,
-                       bool are_drawn) {
-  return Caster<S>(scene, move).report(throws, are_drawn);
+                       bool are_drawn, const Workers& workers) {
+  return Caster<S>(scene, move).report(throws, are_drawn, workers);
 }
 
 template <Scalar S>
 ContactReport contacts_of(const Scene& scene, const Move& move, const std::vector<Throw>& bodies,
-                          bool are_drawn) {
-  return Caster<S>(scene, move).contacts(bodies, are_drawn);
+                          bool are_drawn, const Workers& workers) {
+  return Caster<S>(scene, move).contacts(bodies, are_drawn, workers);
 }
 
 }  // namespace detent::cli
