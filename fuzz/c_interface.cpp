@@ -504,6 +504,7 @@ class Caller {
         detent_rotation3 axes{};
         const auto world = handle(4);
         check(detent_world3_local_point(context, world, id(), or_null(&point), or_null(&local)));
+        check(detent_world3_joint_force(context, world, id(), or_null(&local)));
         return detent_world3_local_frame(context, world, id(), or_null(&frame), or_null(&axes));
       }
       case 53: {

@@ -1443,6 +1443,13 @@ DETENT_API detent_status detent_world2_remove_joint(detent_context* context, det
 DETENT_API detent_status detent_world2_joint(const detent_context* context, detent_handle world,
                                                detent_id id, detent_joint2* joint);
 
+/** The force with which a joint held body b, and its opposite body a, in the last step, by the
+ *  directions of the bodies now; its length is compared with `break_force`. DETENT_NO if no joint
+ *  has this id. */
+DETENT_API detent_status detent_world2_joint_force(const detent_context* context,
+                                                     detent_handle world, detent_id id,
+                                                     detent_vec2* force);
+
 /** The number of joints in the world. */
 DETENT_API detent_status detent_world2_joint_count(const detent_context* context,
                                                      detent_handle world, uint32_t* count);
@@ -2178,6 +2185,13 @@ DETENT_API detent_status detent_world3_remove_joint(detent_context* context, det
 /** A joint as it was added or last replaced. DETENT_NO if no joint has this id. */
 DETENT_API detent_status detent_world3_joint(const detent_context* context, detent_handle world,
                                                detent_id id, detent_joint3* joint);
+
+/** The force with which a joint held body b, and its opposite body a, in the last step, by the
+ *  directions of the bodies now; its length is compared with `break_force`. DETENT_NO if no joint
+ *  has this id. */
+DETENT_API detent_status detent_world3_joint_force(const detent_context* context,
+                                                     detent_handle world, detent_id id,
+                                                     detent_vec3* force);
 
 /** The number of joints in the world. */
 DETENT_API detent_status detent_world3_joint_count(const detent_context* context,

@@ -1204,6 +1204,9 @@ public static unsafe class C {
   public static extern int detent_world2_joint(ContextMemory* context, uint world, Id id, Joint2* joint);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_joint_force(ContextMemory* context, uint world, Id id, Vec2* force);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_joint_count(ContextMemory* context, uint world, uint* count);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1601,6 +1604,9 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_joint(ContextMemory* context, uint world, Id id, Joint3* joint);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_joint_force(ContextMemory* context, uint world, Id id, Vec3* force);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_joint_count(ContextMemory* context, uint world, uint* count);

@@ -978,6 +978,14 @@ class World extends Held {
       return this.run('joint', memory.put('detent_id', id), at) ? memory.read(at, this.types.joint) : null;
     });
   }
+  /** The force of a joint on its body b in the last step. Null without the joint. */
+  jointForce(id) {
+    return this.call((memory) => {
+      const force = memory.place(16);
+      const done = this.run('joint_force', memory.put('detent_id', id), force);
+      return done ? memory.read(force, this.types.vec) : null;
+    });
+  }
   /** The ids of all joints. */
   jointIds() {
     return this.list('joint_ids', 'detent_id');

@@ -372,6 +372,15 @@ struct Worlds {
       return DETENT_NO;
     });
   }
+  static detent_status joint_force(const detent_context* context, detent_handle world, detent_id id,
+                                   typename T::Vec* force) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (force == nullptr) return DETENT_BAD_ARGUMENT;
+      if (!object.contains(joint_id(id))) return DETENT_NO;
+      *force = Output<N>::vec(object.joint_force(joint_id(id)));
+      return DETENT_OK;
+    });
+  }
   static detent_status joint_count(const detent_context* context, detent_handle world,
                                    std::uint32_t* count) {
     return write_from<World>(context, kind, world, count,

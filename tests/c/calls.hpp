@@ -111,6 +111,7 @@ struct Calls;
     DETENT_TEST_CALL(world, N, _info)                 \
     DETENT_TEST_CALL(world, N, _joint)                \
     DETENT_TEST_CALL(world, N, _joint_count)          \
+    DETENT_TEST_CALL(world, N, _joint_force)          \
     DETENT_TEST_CALL(world, N, _joint_ids)            \
     DETENT_TEST_CALL(world, N, _local_frame)          \
     DETENT_TEST_CALL(world, N, _local_point)          \

@@ -140,7 +140,7 @@ struct Twins : WorldTwins<N> {
     }
   }
 
-  /// Steps both and compares the broken joints.
+  /// Steps both and compares the broken joints, and the forces of the others.
   std::uint32_t step() {
     WorldTwins<N>::step();
     std::array<detent_id, 8> broken{};
@@ -153,6 +153,13 @@ struct Twins : WorldTwins<N> {
     }
     REQUIRE(C::world_joint_count(&context, world, &count) == DETENT_OK);
     REQUIRE(count == twin.joint_count());
+    for (const auto& id : joints) {
+      typename c::Types<N>::Vec force{};
+      const JointId same{id.index, id.generation};
+      const auto status = C::world_joint_force(&context, world, id, &force);
+      REQUIRE(status == c::yes_or_no(twin.contains(same)));
+      if (status == DETENT_OK) REQUIRE(c::Input<N>::vec(force) == twin.joint_force(same));
+    }
     return static_cast<std::uint32_t>(twin.broken_count());
   }
 };
@@ -196,6 +203,7 @@ void check_joints() {
                 c::yes_or_no(twins.twin.remove(same)));
         REQUIRE(C::world_remove_joint(&context, world, id) == DETENT_NO);
         REQUIRE(C::world_joint(&context, world, id, nullptr) == DETENT_BAD_ARGUMENT);
+        REQUIRE(C::world_joint_force(&context, world, id, nullptr) == DETENT_BAD_ARGUMENT);
       });
     }
     for (int tick = 0; tick < 10; ++tick) broken += twins.step();

@@ -193,10 +193,11 @@ test('joints and frames', async () => {
     { anchor_b, motor_speed: 2 * ONE, motor_force: 50 * ONE });
   for (let i = 0; i < 30; ++i) world.step();
   assert.ok(Math.abs(world.body(arm).angular_velocity[0] - 2 * ONE) < ONE / 10);
+  assert.ok(Math.hypot(...world.jointForce(hinge)) > ONE);
   assert.equal(world.changeJoint(hinge, { ...world.joint(hinge), break_force: 1 }), true);
   world.step();
   assert.deepEqual(world.broken(), [hinge]);
-  assert.equal(world.joint(hinge), null);
+  assert.deepEqual([world.joint(hinge), world.jointForce(hinge)], [null, null]);
   assert.equal(world.addJoint(detent.joints.weld, wall, wall), null);
   const solid = context.solid(3, [[0, 0], [ONE, 0], [0, ONE]]);
   assert.ok(world.add(space.placed(solid, [9 * ONE, 9 * ONE])));

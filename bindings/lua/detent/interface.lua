@@ -900,6 +900,9 @@ detent_status detent_world2_remove_joint(detent_context* context, detent_handle 
                                                       detent_id id);
 detent_status detent_world2_joint(const detent_context* context, detent_handle world,
                                                detent_id id, detent_joint2* joint);
+detent_status detent_world2_joint_force(const detent_context* context,
+                                                     detent_handle world, detent_id id,
+                                                     detent_vec2* force);
 detent_status detent_world2_joint_count(const detent_context* context,
                                                      detent_handle world, uint32_t* count);
 detent_status detent_world2_joint_ids(const detent_context* context,
@@ -1255,6 +1258,9 @@ detent_status detent_world3_remove_joint(detent_context* context, detent_handle 
                                                       detent_id id);
 detent_status detent_world3_joint(const detent_context* context, detent_handle world,
                                                detent_id id, detent_joint3* joint);
+detent_status detent_world3_joint_force(const detent_context* context,
+                                                     detent_handle world, detent_id id,
+                                                     detent_vec3* force);
 detent_status detent_world3_joint_count(const detent_context* context,
                                                      detent_handle world, uint32_t* count);
 detent_status detent_world3_joint_ids(const detent_context* context,

@@ -833,6 +833,11 @@ class World(_Held):
         joint = self._space._joint()
         return joint if self._call('joint', which._in_c(), joint) else None
 
+    def joint_force(self, which):
+        """The force of a joint on its body b in the last step. None without the joint."""
+        force = self._space._vec()
+        return _Space._tuple(force) if self._call('joint_force', which._in_c(), force) else None
+
     def joint_count(self):
         count = ctypes.c_uint32()
         self._call('joint_count', byref(count))

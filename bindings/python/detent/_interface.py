@@ -1635,6 +1635,12 @@ FUNCTIONS = {
         detent_id,
         POINTER(detent_joint2),
     ]),
+    'detent_world2_joint_force': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec2),
+    ]),
     'detent_world2_joint_count': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -2455,6 +2461,12 @@ FUNCTIONS = {
         c_uint32,
         detent_id,
         POINTER(detent_joint3),
+    ]),
+    'detent_world3_joint_force': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec3),
     ]),
     'detent_world3_joint_count': (c_int32, [
         POINTER(detent_context),

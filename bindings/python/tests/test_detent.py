@@ -211,13 +211,15 @@ class Test(unittest.TestCase):
         for _ in range(30):
             world.step()
         self.assertAlmostEqual(detent.number(world.body(arm).angular_velocity[0]), 2, delta=0.1)
+        force = world.joint_force(hinge)
+        self.assertGreater(detent.number(force[0]) ** 2 + detent.number(force[1]) ** 2, 1)
         joint = world.joint(hinge)
         joint.motor_speed = -2 * ONE
         joint.break_force = 1
         self.assertTrue(world.change_joint(hinge, joint))
         world.step()
         self.assertEqual(world.broken(), [hinge])
-        self.assertIsNone(world.joint(hinge))
+        self.assertEqual((world.joint(hinge), world.joint_force(hinge)), (None, None))
         weld = world.add_joint(detent.WELD, wall, arm)
         self.assertEqual([world.remove_joint(weld), world.remove_joint(weld)], [True, False])
         self.assertIsNone(world.add_joint(detent.WELD, wall, wall))

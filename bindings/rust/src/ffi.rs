@@ -1102,6 +1102,7 @@ extern "C" {
     pub fn detent_world2_change_joint(context: *mut Context, world: u32, id: Id, joint: *const Joint2) -> i32;
     pub fn detent_world2_remove_joint(context: *mut Context, world: u32, id: Id) -> i32;
     pub fn detent_world2_joint(context: *const Context, world: u32, id: Id, joint: *mut Joint2) -> i32;
+    pub fn detent_world2_joint_force(context: *const Context, world: u32, id: Id, force: *mut Vec2) -> i32;
     pub fn detent_world2_joint_count(context: *const Context, world: u32, count: *mut u32) -> i32;
     pub fn detent_world2_joint_ids(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;
     pub fn detent_world2_broken(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;
@@ -1235,6 +1236,7 @@ extern "C" {
     pub fn detent_world3_change_joint(context: *mut Context, world: u32, id: Id, joint: *const Joint3) -> i32;
     pub fn detent_world3_remove_joint(context: *mut Context, world: u32, id: Id) -> i32;
     pub fn detent_world3_joint(context: *const Context, world: u32, id: Id, joint: *mut Joint3) -> i32;
+    pub fn detent_world3_joint_force(context: *const Context, world: u32, id: Id, force: *mut Vec3) -> i32;
     pub fn detent_world3_joint_count(context: *const Context, world: u32, count: *mut u32) -> i32;
     pub fn detent_world3_joint_ids(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;
     pub fn detent_world3_broken(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;

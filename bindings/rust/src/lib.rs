@@ -757,6 +757,14 @@ macro_rules! space {
                     let yes = check(unsafe { world_joint(self.at(), self.handle, id, &mut joint) })?;
                     Ok(if yes { Some(joint) } else { None })
                 }
+                /// The force of a joint on its body b in the last step.
+                pub fn joint_force(&self, id: Id) -> Result<Option<[i32; $n]>> {
+                    let mut force = ffi::$Vec::default();
+                    let yes = check(unsafe {
+                        world_joint_force(self.at(), self.handle, id, &mut force)
+                    })?;
+                    Ok(if yes { Some([$(force.$x),*]) } else { None })
+                }
                 /// The ids of all joints.
                 pub fn joint_ids(&self) -> Result<Vec<Id>> {
                     list(|to, room, count| unsafe {
@@ -1203,6 +1211,7 @@ space! {
     world_joint = detent_world2_joint,
     world_broken = detent_world2_broken,
     world_local_point = detent_world2_local_point,
+    world_joint_force = detent_world2_joint_force,
     scene_add_frame = detent_scene2_add_frame,
     scene_move_frame = detent_scene2_move_frame,
     scene_remove_frame = detent_scene2_remove_frame,
@@ -1322,6 +1331,7 @@ space! {
     world_joint = detent_world3_joint,
     world_broken = detent_world3_broken,
     world_local_point = detent_world3_local_point,
+    world_joint_force = detent_world3_joint_force,
     scene_add_frame = detent_scene3_add_frame,
     scene_move_frame = detent_scene3_move_frame,
     scene_remove_frame = detent_scene3_remove_frame,

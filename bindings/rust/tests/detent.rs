@@ -226,12 +226,14 @@ fn joints_and_frames() {
     }
     let spin = world.body(arm).unwrap().unwrap().angular_velocity[0];
     assert!((spin - 2 * ONE).abs() < ONE / 10);
+    let force = world.joint_force(hinge).unwrap().unwrap();
+    assert!(force[0].abs() + force[1].abs() > ONE);
     joint.break_force = 1;
     assert_eq!(world.change_joint(hinge, &joint), Ok(true));
     assert_eq!(world.joint(hinge), Ok(Some(joint)));
     world.step().unwrap();
     assert_eq!(world.broken(), Ok(vec![hinge]));
-    assert_eq!(world.remove_joint(hinge), Ok(false));
+    assert_eq!((world.remove_joint(hinge), world.joint_force(hinge)), (Ok(false), Ok(None)));
     let solid = d2::solid(&context, 3, &[[0, 0], [ONE, 0], [0, ONE]]).unwrap();
     let body = d2::placed(&solid, [9 * ONE, 9 * ONE], d2::AXES, ONE);
     world.add(&body, &options).unwrap();

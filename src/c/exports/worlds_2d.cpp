@@ -117,6 +117,9 @@ detent_status detent_world2_remove_joint(detent_context* context, detent_handle 
 detent_status detent_world2_joint(const detent_context* context, detent_handle world, detent_id id, detent_joint2* joint) {
   return detent::c::Worlds<2>::joint(context, world, id, joint);
 }
+detent_status detent_world2_joint_force(const detent_context* context, detent_handle world, detent_id id, detent_vec2* force) {
+  return detent::c::Worlds<2>::joint_force(context, world, id, force);
+}
 detent_status detent_world2_joint_count(const detent_context* context, detent_handle world, uint32_t* count) {
   return detent::c::Worlds<2>::joint_count(context, world, count);
 }
