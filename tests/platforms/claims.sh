@@ -8,23 +8,33 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 results=tests/platforms/results
 verify_results=tests/verify/results.txt
+version=$(sed -n 's/.*results_version = \([0-9]*\).*/\1/p' include/detent/version.hpp)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 # Prints the results as a block for the page: a summary for the README, more figures elsewhere.
 block() {
-  awk -F'|' -v page="$1" -v floats="$(sed -n 's/^float|//p' "$results")" \
+  awk -F'|' -v page="$1" -v version="$version" -v floats="$(sed -n 's/^float|//p' "$results")" \
     -v golden="$(awk '!/^#/ { print $2 }' "$verify_results" | sort -u | wc -l)" '
     function list(text, item) { return text == "" ? item : text ", " item }
+    # Keeps the least and the greatest of a figure in a group of rows.
+    function note(group, figure, value) {
+      if (!((group, figure) in least) || value < least[group, figure]) least[group, figure] = value
+      if (!((group, figure) in most) || value > most[group, figure]) most[group, figure] = value
+    }
+    function range(group, figure) {
+      if (least[group, figure] == most[group, figure]) return least[group, figure]
+      return least[group, figure] " to " most[group, figure]
+    }
     $1 != "row" { next }
     {
       name = $3; result = $10; group = $2
       if (result == "equal") {
         ++equal
         big += $6 == "big"; short += $5 == 32; ours += $7 == "ours"; soft += $8 == "none"
-        run = $14 "|" $13 "|" $15
-        if (!(run in rows)) runs[++times] = run
-        ++rows[run]
+        state = $15 == version && $13 == golden ? "current" : "earlier"
+        ++rows[state]
+        note(state, "date", $14); note(state, "queries", $13 + 0); note(state, "version", $15 + 0)
         seconds += $11
       } else if (result == "compiles") {
         ++compiled
@@ -44,18 +54,13 @@ block() {
     END {
       printf "**%d platforms gave the golden digests and %s differed**: ", equal,
              different ? different : "none"
-      # Latest first.
-      for (i = 2; i <= times; ++i) {
-        for (k = i; k > 1 && runs[k] > runs[k - 1]; --k) {
-          run = runs[k]; runs[k] = runs[k - 1]; runs[k - 1] = run
-        }
-      }
-      for (i = 1; i <= times; ++i) {
-        split(runs[i], run_of, "|")
-        asked = run_of[2] == golden ? "all " golden : run_of[2] " of the present " golden
-        printf "%s%d on %s, each with %s queries (results_version %s)", (i > 1 ? "; " : ""),
-               rows[runs[i]], run_of[1], asked, run_of[3]
-      }
+      if (rows["current"])
+        printf "%d answered all %d queries of results_version %d (%s)", rows["current"], golden, version,
+               range("current", "date")
+      if (rows["current"] && rows["earlier"]) printf "; "
+      if (rows["earlier"])
+        printf "%d were last run with results_version %s and %s queries (%s)", rows["earlier"],
+               range("earlier", "version"), range("earlier", "queries"), range("earlier", "date")
       print "."
       if (failed != "") print "Not equal: " failed "."
       if (compiled) print compiled " more were not run: the compiler evaluated the check and gave the golden answers."
