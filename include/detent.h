@@ -1443,9 +1443,10 @@ DETENT_API detent_status detent_world2_remove_joint(detent_context* context, det
 DETENT_API detent_status detent_world2_joint(const detent_context* context, detent_handle world,
                                                detent_id id, detent_joint2* joint);
 
-/** The force with which a joint held body b, and its opposite body a, in the last step, by the
- *  directions of the bodies now; its length is compared with `break_force`. DETENT_NO if no joint
- *  has this id. */
+/** The force of a joint on body b, in mass times units per second squared; on body a it is the
+ *  opposite. It comes from the impulses of the last substep that solved the joint, along their
+ *  directions now, and is zero before the first step. The joint breaks when it is longer than
+ *  `break_force`. DETENT_NO if no joint has this id. */
 DETENT_API detent_status detent_world2_joint_force(const detent_context* context,
                                                      detent_handle world, detent_id id,
                                                      detent_vec2* force);
@@ -2186,9 +2187,10 @@ DETENT_API detent_status detent_world3_remove_joint(detent_context* context, det
 DETENT_API detent_status detent_world3_joint(const detent_context* context, detent_handle world,
                                                detent_id id, detent_joint3* joint);
 
-/** The force with which a joint held body b, and its opposite body a, in the last step, by the
- *  directions of the bodies now; its length is compared with `break_force`. DETENT_NO if no joint
- *  has this id. */
+/** The force of a joint on body b, in mass times units per second squared; on body a it is the
+ *  opposite. It comes from the impulses of the last substep that solved the joint, along their
+ *  directions now, and is zero before the first step. The joint breaks when it is longer than
+ *  `break_force`. DETENT_NO if no joint has this id. */
 DETENT_API detent_status detent_world3_joint_force(const detent_context* context,
                                                      detent_handle world, detent_id id,
                                                      detent_vec3* force);

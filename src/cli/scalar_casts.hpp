@@ -60,8 +60,9 @@ class Caster {
     std::vector<std::vector<Found>> found(bodies.size());
     for_each_index(workers, static_cast<int>(bodies.size()), [&](int i) {
       const auto body = static_cast<std::size_t>(i);
+      const auto capsule = capsule_of(bodies[body]);
       for (std::size_t k = 0; k < shapes_.size(); ++k) {
-        const auto contact = contact_with(shapes_[k], capsule_of(bodies[body]));
+        const auto contact = contact_with(shapes_[k], capsule);
         if (contact) found[body].push_back({k, *contact});
       }
     });
