@@ -505,6 +505,8 @@ class Caller {
         const auto world = handle(4);
         check(detent_world3_local_point(context, world, id(), or_null(&point), or_null(&local)));
         check(detent_world3_joint_force(context, world, id(), or_null(&local)));
+        std::int32_t torque[3]{};
+        check(detent_world3_joint_torque(context, world, id(), or_null(torque)));
         return detent_world3_local_frame(context, world, id(), or_null(&frame), or_null(&axes));
       }
       case 53: {
@@ -747,13 +749,13 @@ class Caller {
     }
   }
 
-  /// Sets one property of a body.
+  /// Sets one property of a body, or the gravity of all.
   detent_status change_body(detent_context* context) {
     const auto world = handle(4);
     const auto body = id();
     const auto value = number(), other = number();
     const auto word = static_cast<std::uint32_t>(source_.word(4));
-    switch (source_.below(11)) {
+    switch (source_.below(12)) {
       case 0: {
         const auto position = vec3();
         return detent_world3_set_position(context, world, body, or_null(&position));
@@ -778,6 +780,10 @@ class Caller {
         return detent_world3_set_locked(context, world, body, word);
       case 9:
         return detent_world3_set_fast(context, world, body, word);
+      case 10: {
+        const auto gravity = vec3();
+        return detent_world3_set_gravity(context, world, or_null(&gravity));
+      }
       default:
         return detent_world3_set_user(context, world, body, word);
     }

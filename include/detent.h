@@ -1392,6 +1392,11 @@ DETENT_API detent_status detent_world2_set_fast(detent_context* context, detent_
 DETENT_API detent_status detent_world2_set_user(detent_context* context, detent_handle world,
                                                   detent_id id, uint64_t user);
 
+/** Sets the gravity of the world, in units per second squared, from the next step on, and wakes all
+ *  bodies. Snapshots contain it. */
+DETENT_API detent_status detent_world2_set_gravity(detent_context* context, detent_handle world,
+                                                     const detent_vec2* gravity);
+
 /** Sets the velocity of a body, in units per second, and wakes it. Does nothing to fixed bodies. */
 DETENT_API detent_status detent_world2_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec2* velocity);
@@ -1450,6 +1455,13 @@ DETENT_API detent_status detent_world2_joint(const detent_context* context, dete
 DETENT_API detent_status detent_world2_joint_force(const detent_context* context,
                                                      detent_handle world, detent_id id,
                                                      detent_vec2* force);
+
+/** The torque of a joint on body b (1 numbers, mass times square units per second squared) by its
+ *  motor, limits and alignment, without that of its force; otherwise like
+ *  `detent_world2_joint_force`. It breaks no joint. DETENT_NO if no joint has this id. */
+DETENT_API detent_status detent_world2_joint_torque(const detent_context* context,
+                                                      detent_handle world, detent_id id,
+                                                      int32_t* torque);
 
 /** The number of joints in the world. */
 DETENT_API detent_status detent_world2_joint_count(const detent_context* context,
@@ -1528,8 +1540,9 @@ DETENT_API detent_status detent_world2_snapshot(const detent_context* context,
                                                   detent_handle world, void* bytes, uint32_t room,
                                                   uint32_t* size);
 
-/** Restores a snapshot taken from a world with the same settings and fixed bodies. The context must
- *  have its assets. Any bytes are safe; an error leaves the world unchanged. */
+/** Restores a snapshot taken from a world with the same fixed bodies and settings; only its gravity
+ *  may differ, and is restored. The context must have its assets. Any bytes are safe; an error leaves
+ *  the world unchanged. */
 DETENT_API detent_status detent_world2_restore(detent_context* context, detent_handle world,
                                                  const void* bytes, uint32_t size);
 
@@ -2136,6 +2149,11 @@ DETENT_API detent_status detent_world3_set_fast(detent_context* context, detent_
 DETENT_API detent_status detent_world3_set_user(detent_context* context, detent_handle world,
                                                   detent_id id, uint64_t user);
 
+/** Sets the gravity of the world, in units per second squared, from the next step on, and wakes all
+ *  bodies. Snapshots contain it. */
+DETENT_API detent_status detent_world3_set_gravity(detent_context* context, detent_handle world,
+                                                     const detent_vec3* gravity);
+
 /** Sets the velocity of a body, in units per second, and wakes it. Does nothing to fixed bodies. */
 DETENT_API detent_status detent_world3_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec3* velocity);
@@ -2194,6 +2212,13 @@ DETENT_API detent_status detent_world3_joint(const detent_context* context, dete
 DETENT_API detent_status detent_world3_joint_force(const detent_context* context,
                                                      detent_handle world, detent_id id,
                                                      detent_vec3* force);
+
+/** The torque of a joint on body b (3 numbers, mass times square units per second squared) by its
+ *  motor, limits and alignment, without that of its force; otherwise like
+ *  `detent_world3_joint_force`. It breaks no joint. DETENT_NO if no joint has this id. */
+DETENT_API detent_status detent_world3_joint_torque(const detent_context* context,
+                                                      detent_handle world, detent_id id,
+                                                      int32_t* torque);
 
 /** The number of joints in the world. */
 DETENT_API detent_status detent_world3_joint_count(const detent_context* context,
@@ -2272,8 +2297,9 @@ DETENT_API detent_status detent_world3_snapshot(const detent_context* context,
                                                   detent_handle world, void* bytes, uint32_t room,
                                                   uint32_t* size);
 
-/** Restores a snapshot taken from a world with the same settings and fixed bodies. The context must
- *  have its assets. Any bytes are safe; an error leaves the world unchanged. */
+/** Restores a snapshot taken from a world with the same fixed bodies and settings; only its gravity
+ *  may differ, and is restored. The context must have its assets. Any bytes are safe; an error leaves
+ *  the world unchanged. */
 DETENT_API detent_status detent_world3_restore(detent_context* context, detent_handle world,
                                                  const void* bytes, uint32_t size);
 

@@ -1174,6 +1174,9 @@ public static unsafe class C {
   public static extern int detent_world2_set_user(ContextMemory* context, uint world, Id id, ulong user);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_set_gravity(ContextMemory* context, uint world, Vec2* gravity);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_set_velocity(ContextMemory* context, uint world, Id id, Vec2* velocity);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1205,6 +1208,9 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_joint_force(ContextMemory* context, uint world, Id id, Vec2* force);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_joint_torque(ContextMemory* context, uint world, Id id, int* torque);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_joint_count(ContextMemory* context, uint world, uint* count);
@@ -1576,6 +1582,9 @@ public static unsafe class C {
   public static extern int detent_world3_set_user(ContextMemory* context, uint world, Id id, ulong user);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_set_gravity(ContextMemory* context, uint world, Vec3* gravity);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_set_velocity(ContextMemory* context, uint world, Id id, Vec3* velocity);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1607,6 +1616,9 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_joint_force(ContextMemory* context, uint world, Id id, Vec3* force);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_joint_torque(ContextMemory* context, uint world, Id id, int* torque);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_joint_count(ContextMemory* context, uint world, uint* count);

@@ -218,6 +218,10 @@ public unsafe class World2 {
   public bool SetUser(Id id, ulong user) {
     return Number.Check(C.detent_world2_set_user(context.Memory, Handle, id, user));
   }
+  /// <summary>Sets the gravity of the world and wakes all bodies.</summary>
+  public void SetGravity(Vec2 gravity) {
+    Number.Check(C.detent_world2_set_gravity(context.Memory, Handle, &gravity));
+  }
   /// <summary>Writes as many contacts of a body as there is room for; new Id() for those of all.
   /// Returns how many there are. The first `count` of their points are set.</summary>
   public int Contacts(Id id, World2Contact[] contacts) {
@@ -629,6 +633,10 @@ public unsafe class World3 {
   }
   public bool SetUser(Id id, ulong user) {
     return Number.Check(C.detent_world3_set_user(context.Memory, Handle, id, user));
+  }
+  /// <summary>Sets the gravity of the world and wakes all bodies.</summary>
+  public void SetGravity(Vec3 gravity) {
+    Number.Check(C.detent_world3_set_gravity(context.Memory, Handle, &gravity));
   }
   /// <summary>Writes as many contacts of a body as there is room for; new Id() for those of all.
   /// Returns how many there are. The first `count` of their points are set.</summary>

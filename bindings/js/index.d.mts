@@ -230,6 +230,8 @@ export declare class World<D extends Of> extends Held {
   setFast(id: Id, isFast: boolean): boolean;
   /** Wakes nothing. */
   setUser(id: Id, user: bigint | number): boolean;
+  /** Wakes all bodies. */
+  setGravity(gravity: D['vec']): void;
   setVelocity(id: Id, velocity: D['vec']): boolean;
   setAngularVelocity(id: Id, velocity: number[]): boolean;
   applyImpulse(id: Id, impulse: D['vec'], at?: D['vec']): boolean;
@@ -240,6 +242,9 @@ export declare class World<D extends Of> extends Held {
   changeJoint(id: Id, joint: D['joint']): boolean;
   removeJoint(id: Id): boolean;
   joint(id: Id): D['joint'] | null;
+  /** On its body b in the last step. */
+  jointForce(id: Id): D['vec'] | null;
+  jointTorque(id: Id): number[] | null;
   jointIds(): Id[];
   broken(): Id[];
   localPoint(id: Id, point: D['vec']): D['vec'] | null;

@@ -908,6 +908,10 @@ class World extends Held {
   setUser(id, user) {
     return this.call((memory) => this.run('set_user', memory.put('detent_id', id), BigInt(user)));
   }
+  /** Sets the gravity of the world and wakes all bodies. */
+  setGravity(gravity) {
+    this.call((memory) => this.run('set_gravity', memory.put(this.types.vec, gravity)));
+  }
   /** Turns a body about its center at once; it keeps its joints. */
   setRotation(id, axis) {
     return this.call((memory) =>
@@ -984,6 +988,15 @@ class World extends Held {
       const force = memory.place(16);
       const done = this.run('joint_force', memory.put('detent_id', id), force);
       return done ? memory.read(force, this.types.vec) : null;
+    });
+  }
+  /** The torque of a joint on its body b in the last step: three numbers in 3D, one in 2D. Null without
+   *  the joint. */
+  jointTorque(id) {
+    return this.call((memory) => {
+      const torque = memory.place(12), length = this.space.dimension === 2 ? 1 : 3;
+      const done = this.run('joint_torque', memory.put('detent_id', id), torque);
+      return done ? Array.from({ length }, (_, i) => memory.read(torque + 4 * i, 'int32_t')) : null;
     });
   }
   /** The ids of all joints. */

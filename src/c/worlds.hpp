@@ -293,6 +293,14 @@ struct Worlds {
     return change(context, world,
                   [&](World& object) { return yes_or_no(object.set_user(id_of(id), user)); });
   }
+  static detent_status set_gravity(detent_context* context, detent_handle world,
+                                   const typename T::Vec* gravity) {
+    return change(context, world, [&](World& object) -> detent_status {
+      if (gravity == nullptr) return DETENT_BAD_ARGUMENT;
+      object.set_gravity(Input<N>::vec(*gravity));
+      return DETENT_OK;
+    });
+  }
   static detent_status set_velocity(detent_context* context, detent_handle world, detent_id id,
                                     const typename T::Vec* velocity) {
     return change_body(context, world, id, velocity != nullptr, [&](World& object) {
@@ -378,6 +386,16 @@ struct Worlds {
       if (force == nullptr) return DETENT_BAD_ARGUMENT;
       if (!object.contains(joint_id(id))) return DETENT_NO;
       *force = Output<N>::vec(object.joint_force(joint_id(id)));
+      return DETENT_OK;
+    });
+  }
+  static detent_status joint_torque(const detent_context* context, detent_handle world,
+                                    detent_id id, std::int32_t* torque) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (torque == nullptr) return DETENT_BAD_ARGUMENT;
+      if (!object.contains(joint_id(id))) return DETENT_NO;
+      const auto own = object.joint_torque(joint_id(id));
+      for (std::size_t i = 0; i < own.size(); ++i) torque[i] = own[i].raw();
       return DETENT_OK;
     });
   }

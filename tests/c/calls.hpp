@@ -113,6 +113,7 @@ struct Calls;
     DETENT_TEST_CALL(world, N, _joint_count)          \
     DETENT_TEST_CALL(world, N, _joint_force)          \
     DETENT_TEST_CALL(world, N, _joint_ids)            \
+    DETENT_TEST_CALL(world, N, _joint_torque)         \
     DETENT_TEST_CALL(world, N, _local_frame)          \
     DETENT_TEST_CALL(world, N, _local_point)          \
     DETENT_TEST_CALL(world, N, _part_of)              \
@@ -124,6 +125,7 @@ struct Calls;
     DETENT_TEST_CALL(world, N, _set_fast)             \
     DETENT_TEST_CALL(world, N, _set_filter)           \
     DETENT_TEST_CALL(world, N, _set_friction)         \
+    DETENT_TEST_CALL(world, N, _set_gravity)          \
     DETENT_TEST_CALL(world, N, _set_gravity_scale)    \
     DETENT_TEST_CALL(world, N, _set_locked)           \
     DETENT_TEST_CALL(world, N, _set_position)         \

@@ -314,6 +314,10 @@ void check_contacts() {
       REQUIRE(f.twin.set_fast(id_of(f.ball), true));
       REQUIRE(C::world_set_user(&context, f.world, f.ball, ~0ull - 5) == DETENT_OK);
       REQUIRE(f.twin.set_user(id_of(f.ball), ~0ull - 5));
+      const Vec<S, N> gravity{raw(one / 4), raw(-9 * one)};
+      const auto pull = F::Out::vec(gravity);
+      REQUIRE(C::world_set_gravity(&context, f.world, &pull) == DETENT_OK);
+      f.twin.set_gravity(gravity);
       CHECK((f.saved() == snapshot(f.twin)));
     }
     f.step();
@@ -355,6 +359,7 @@ void check_contacts() {
   CHECK(C::world_set_locked(&context, f.world, f.ball, 64) == DETENT_BAD_ARGUMENT);
   CHECK(C::world_set_locked(&context, f.world, f.ball, 256) == DETENT_BAD_ARGUMENT);
   CHECK(C::world_set_fast(&context, f.world, f.ball, 2) == DETENT_BAD_ARGUMENT);
+  CHECK(C::world_set_gravity(&context, f.world, nullptr) == DETENT_BAD_ARGUMENT);
   const detent_id none{f.ball.index, f.ball.generation + 1};
   CHECK(C::world_set_filter(&context, f.world, none, 1, 1) == DETENT_NO);
   CHECK(C::world_set_friction(&context, f.world, none, 1) == DETENT_NO);

@@ -23,6 +23,7 @@ struct Twins : WorldTwins<N> {
   std::vector<Vec<S, N>> points;
   std::array<SolidHull<S, N>, 1> hulls{};
   std::vector<detent_id> bodies, joints;
+  int turned = 0;  // joints with a torque, after any step
 
   Twins() {
     std::vector<typename T::Vec> raw_points;
@@ -140,7 +141,7 @@ struct Twins : WorldTwins<N> {
     }
   }
 
-  /// Steps both and compares the broken joints, and the forces of the others.
+  /// Steps both and compares the broken joints, and the forces and torques of the others.
   std::uint32_t step() {
     WorldTwins<N>::step();
     std::array<detent_id, 8> broken{};
@@ -159,6 +160,12 @@ struct Twins : WorldTwins<N> {
       const auto status = C::world_joint_force(&context, world, id, &force);
       REQUIRE(status == c::yes_or_no(twin.contains(same)));
       if (status == DETENT_OK) REQUIRE(c::Input<N>::vec(force) == twin.joint_force(same));
+      std::array<std::int32_t, 4> torque{};
+      REQUIRE(C::world_joint_torque(&context, world, id, torque.data()) == status);
+      const auto own = twin.joint_torque(same);
+      for (std::size_t i = 0; i < own.size(); ++i) REQUIRE(torque[i] == own[i].raw());
+      REQUIRE(torque[own.size()] == 0);
+      turned += torque[0] != 0 ? 1 : 0;
     }
     return static_cast<std::uint32_t>(twin.broken_count());
   }
@@ -204,9 +211,11 @@ void check_joints() {
         REQUIRE(C::world_remove_joint(&context, world, id) == DETENT_NO);
         REQUIRE(C::world_joint(&context, world, id, nullptr) == DETENT_BAD_ARGUMENT);
         REQUIRE(C::world_joint_force(&context, world, id, nullptr) == DETENT_BAD_ARGUMENT);
+        REQUIRE(C::world_joint_torque(&context, world, id, nullptr) == DETENT_BAD_ARGUMENT);
       });
     }
     for (int tick = 0; tick < 10; ++tick) broken += twins.step();
+    CHECK(twins.turned > 0);
     const auto saved = twins.saved();
     CHECK((saved == snapshot(twins.twin)));
     twins.step();

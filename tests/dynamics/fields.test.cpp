@@ -64,6 +64,16 @@ TEST_CASE("fields: a difference names the body and the field") {
   CHECK(names(world, other, 1) == Names{"body 1:2 (sphere) orientation[1]"});
 }
 
+TEST_CASE("fields: gravity comes first") {
+  const auto world = settled();
+  auto other = world;
+  other.set_gravity({S(1), S(-10)});
+  const auto first = diff(world, other);
+  REQUIRE(first);
+  CHECK_FALSE(first->object);
+  CHECK(std::string(first->field.view()) == "gravity.x");
+}
+
 TEST_CASE("fields: a contact is named after both its bodies") {
   const auto world = settled();
   auto other = world;

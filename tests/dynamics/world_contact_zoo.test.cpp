@@ -339,6 +339,40 @@ TEMPLATE_TEST_CASE(
   CHECK(restore(world, bytes) == Restored::other_fixed_part);
 }
 
+TEMPLATE_TEST_CASE("set_gravity: as if made so, wakes all bodies, and is restored", "", Dim<2>,
+                   Dim<3>) {
+  constexpr int N = TestType::value;
+  const auto up = at<S, N>(0.5, 4);
+  World<S, N, Sphere, Obb> made(WorldSettings<S, N>{.gravity = up}), changed;
+  changed.set_gravity(up);
+  CHECK(changed.settings().gravity == up);
+  for (auto* world : {&made, &changed}) {
+    world->add(box_of<S, N>(0, -1, 90, 1), {.motion = BodyMotion::fixed});
+    world->add(box_of<S, N>(0, 1, 0.5, 0.25));
+    world->add(box_of<S, N>(3, 1, 0.5, 0.25), {.gravity_scale = num<S>(-0.5)});
+  }
+  for (int i = 0; i < 60; ++i) {
+    CHECK(digest(made) == digest(changed));
+    made.step();
+    changed.step();
+  }
+
+  Sleeper<N> sleeper;
+  auto& world = sleeper.world;
+  std::vector<std::byte> bytes(snapshot(world, std::span<std::byte>()));
+  snapshot(world, bytes);
+  const auto asleep = world;
+  world.set_gravity(at<S, N>(0, 10));
+  CHECK_FALSE(world.is_asleep(sleeper.box));
+  CHECK(digest(world) != digest(asleep));
+  for (int i = 0; i < 60; ++i) world.step();
+  CHECK(world.position(sleeper.box).y > num<S>(4));
+  CHECK(restore(world, bytes) == Restored::yes);
+  CHECK(digest(world) == digest(asleep));
+  CHECK(world.settings().gravity == asleep.settings().gravity);
+  CHECK(world.is_asleep(sleeper.box));
+}
+
 TEMPLATE_TEST_CASE("setters of bodies: the state of snapshots, copies and digests", "", Dim<2>,
                    Dim<3>) {
   constexpr int N = TestType::value;
@@ -361,6 +395,7 @@ TEMPLATE_TEST_CASE("setters of bodies: the state of snapshots, copies and digest
     world.set_locked(id, static_cast<std::uint8_t>(zoo.random.below(64)));
     world.set_fast(id, zoo.random.one_in(4));
     world.set_user(id, zoo.random.next());
+    world.set_gravity(at<S, N>(round, -8));
     CHECK((digest_of(world, id) != digest_of(saved, id)));
     if (!is_fixed_body) CHECK(digest(world) != before);
 

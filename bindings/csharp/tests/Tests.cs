@@ -90,6 +90,9 @@ static class Tests {
       Body2 body;
       Expect(world.Get(box, out body) && body.velocity.x == 0, "a lock");
       Expect(Math.Abs(body.velocity.y - 10 * One / 60) < 20, "it rises");
+      world.SetGravity(At(0, 10 * One));
+      world.Step();
+      Expect(world.Get(box, out body) && Math.Abs(body.velocity.y) < 40, "other gravity pulls it back");
     }
   }
 

@@ -135,6 +135,9 @@ test('contacts and setters of bodies', async () => {
   const [along, up] = world.body(box).velocity;
   assert.equal(along, 0);  // locked
   assert.ok(Math.abs(up - 10 * ONE / 60) < 20);  // it rises, undamped
+  world.setGravity([0, 10 * ONE, 0]);
+  world.step();
+  assert.ok(Math.abs(world.body(box).velocity[1]) < 40);  // that pulled it back
   assert.equal(world.setFilter({ index: 9, generation: 9 }, 1, 1), false);
   assert.throws(() => world.setFriction(box, -1), detent.DetentError);
   assert.throws(() => world.setDamping(box, 0, -1), detent.DetentError);
@@ -194,10 +197,12 @@ test('joints and frames', async () => {
   for (let i = 0; i < 30; ++i) world.step();
   assert.ok(Math.abs(world.body(arm).angular_velocity[0] - 2 * ONE) < ONE / 10);
   assert.ok(Math.hypot(...world.jointForce(hinge)) > ONE);
+  const [torque, ...rest] = world.jointTorque(hinge);
+  assert.ok(torque > ONE && rest.length === 0);  // the motor lifts the arm
   assert.equal(world.changeJoint(hinge, { ...world.joint(hinge), break_force: 1 }), true);
   world.step();
   assert.deepEqual(world.broken(), [hinge]);
-  assert.deepEqual([world.joint(hinge), world.jointForce(hinge)], [null, null]);
+  assert.deepEqual([world.joint(hinge), world.jointForce(hinge), world.jointTorque(hinge)], [null, null, null]);
   assert.equal(world.addJoint(detent.joints.weld, wall, wall), null);
   const solid = context.solid(3, [[0, 0], [ONE, 0], [0, ONE]]);
   assert.ok(world.add(space.placed(solid, [9 * ONE, 9 * ONE])));
@@ -353,7 +358,7 @@ test('every method has a type', async () => {
   for (const name of Object.keys(detent)) assert.match(types, new RegExp(`\\b${name}\\b`));
   const library = await detent.load(3, file(3));
   const context = library.open();
-  const inner = new Set(['call', 'run', 'withWords', 'asset', 'create', 'out', 'out2', 'list', 'shape',
+  const inner = new Set(['call', 'run', 'withWords', 'asset', 'create', 'out', 'out2', 'list', 'listOf', 'shape',
     'push', 'turn', 'transform', 'joint_', 'constructor', 'bytes', 'data', 'withBytes', 'setUp', 'open', 'moving']);
   const world = context.world(), session = context.session(world, { replay_every: 1 });
   const pairs = await detent.loadPairs(3, file(3, 'pairs'));

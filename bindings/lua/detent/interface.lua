@@ -878,6 +878,8 @@ detent_status detent_world2_set_fast(detent_context* context, detent_handle worl
                                                   detent_id id, uint32_t is_fast);
 detent_status detent_world2_set_user(detent_context* context, detent_handle world,
                                                   detent_id id, uint64_t user);
+detent_status detent_world2_set_gravity(detent_context* context, detent_handle world,
+                                                     const detent_vec2* gravity);
 detent_status detent_world2_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec2* velocity);
 detent_status detent_world2_set_angular_velocity(detent_context* context,
@@ -903,6 +905,9 @@ detent_status detent_world2_joint(const detent_context* context, detent_handle w
 detent_status detent_world2_joint_force(const detent_context* context,
                                                      detent_handle world, detent_id id,
                                                      detent_vec2* force);
+detent_status detent_world2_joint_torque(const detent_context* context,
+                                                      detent_handle world, detent_id id,
+                                                      int32_t* torque);
 detent_status detent_world2_joint_count(const detent_context* context,
                                                      detent_handle world, uint32_t* count);
 detent_status detent_world2_joint_ids(const detent_context* context,
@@ -1236,6 +1241,8 @@ detent_status detent_world3_set_fast(detent_context* context, detent_handle worl
                                                   detent_id id, uint32_t is_fast);
 detent_status detent_world3_set_user(detent_context* context, detent_handle world,
                                                   detent_id id, uint64_t user);
+detent_status detent_world3_set_gravity(detent_context* context, detent_handle world,
+                                                     const detent_vec3* gravity);
 detent_status detent_world3_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec3* velocity);
 detent_status detent_world3_set_angular_velocity(detent_context* context,
@@ -1261,6 +1268,9 @@ detent_status detent_world3_joint(const detent_context* context, detent_handle w
 detent_status detent_world3_joint_force(const detent_context* context,
                                                      detent_handle world, detent_id id,
                                                      detent_vec3* force);
+detent_status detent_world3_joint_torque(const detent_context* context,
+                                                      detent_handle world, detent_id id,
+                                                      int32_t* torque);
 detent_status detent_world3_joint_count(const detent_context* context,
                                                      detent_handle world, uint32_t* count);
 detent_status detent_world3_joint_ids(const detent_context* context,

@@ -70,6 +70,9 @@ function tests.contacts_and_setters_of_bodies()
   assert(#world:contacts() == 0)
   local velocity = world:body(box).velocity  -- locked along x; it rises, undamped
   assert(velocity.x == 0 and math.abs(velocity.y - 10 * ONE / 60) < 20)
+  assert(world:set_gravity(d2.vec(0, 10 * ONE)))
+  world:step()
+  assert(math.abs(world:body(box).velocity.y) < 40)  -- that pulled it back
   context:close()
 end
 

@@ -780,6 +780,10 @@ class World(_Held):
         """Sets the user word of a body; wakes nothing."""
         return self._call('set_user', which._in_c(), user)
 
+    def set_gravity(self, gravity):
+        """Sets the gravity of the world and wakes all bodies."""
+        self._call('set_gravity', self._space._vec(*gravity))
+
     def set_velocity(self, which, velocity):
         return self._call('set_velocity', which._in_c(), self._space._vec(*velocity))
 
@@ -837,6 +841,12 @@ class World(_Held):
         """The force of a joint on its body b in the last step. None without the joint."""
         force = self._space._vec()
         return _Space._tuple(force) if self._call('joint_force', which._in_c(), force) else None
+
+    def joint_torque(self, which):
+        """The torque of a joint on its body b in the last step, three numbers in 3D, one in 2D. None
+        without the joint."""
+        torque = self._axial(())
+        return tuple(torque) if self._call('joint_torque', which._in_c(), torque) else None
 
     def joint_count(self):
         count = ctypes.c_uint32()

@@ -1576,6 +1576,11 @@ FUNCTIONS = {
         detent_id,
         c_uint64,
     ]),
+    'detent_world2_set_gravity': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_vec2),
+    ]),
     'detent_world2_set_velocity': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -1640,6 +1645,12 @@ FUNCTIONS = {
         c_uint32,
         detent_id,
         POINTER(detent_vec2),
+    ]),
+    'detent_world2_joint_torque': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(c_int32),
     ]),
     'detent_world2_joint_count': (c_int32, [
         POINTER(detent_context),
@@ -2403,6 +2414,11 @@ FUNCTIONS = {
         detent_id,
         c_uint64,
     ]),
+    'detent_world3_set_gravity': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_vec3),
+    ]),
     'detent_world3_set_velocity': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -2467,6 +2483,12 @@ FUNCTIONS = {
         c_uint32,
         detent_id,
         POINTER(detent_vec3),
+    ]),
+    'detent_world3_joint_torque': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(c_int32),
     ]),
     'detent_world3_joint_count': (c_int32, [
         POINTER(detent_context),

@@ -149,6 +149,9 @@ class Test(unittest.TestCase):
         velocity = world.body(box).velocity
         self.assertEqual(velocity.x, 0)  # locked
         self.assertAlmostEqual(velocity.y, 10 * ONE // 60, delta=20)  # it rises, undamped
+        world.set_gravity((0, 10 * ONE))
+        world.step()
+        self.assertAlmostEqual(world.body(box).velocity.y, 0, delta=40)  # that pulled it back
         self.assertFalse(world.set_filter(detent.Id(9, 9), 1, 1))
         with self.assertRaises(detent.Error):
             world.set_friction(box, -1)
@@ -213,6 +216,8 @@ class Test(unittest.TestCase):
         self.assertAlmostEqual(detent.number(world.body(arm).angular_velocity[0]), 2, delta=0.1)
         force = world.joint_force(hinge)
         self.assertGreater(detent.number(force[0]) ** 2 + detent.number(force[1]) ** 2, 1)
+        torque, = world.joint_torque(hinge)
+        self.assertGreater(torque, ONE)  # the motor lifts the arm
         joint = world.joint(hinge)
         joint.motor_speed = -2 * ONE
         joint.break_force = 1
@@ -220,6 +225,7 @@ class Test(unittest.TestCase):
         world.step()
         self.assertEqual(world.broken(), [hinge])
         self.assertEqual((world.joint(hinge), world.joint_force(hinge)), (None, None))
+        self.assertIsNone(world.joint_torque(hinge))
         weld = world.add_joint(detent.WELD, wall, arm)
         self.assertEqual([world.remove_joint(weld), world.remove_joint(weld)], [True, False])
         self.assertIsNone(world.add_joint(detent.WELD, wall, wall))

@@ -1092,6 +1092,7 @@ extern "C" {
     pub fn detent_world2_set_locked(context: *mut Context, world: u32, id: Id, locked: u32) -> i32;
     pub fn detent_world2_set_fast(context: *mut Context, world: u32, id: Id, is_fast: u32) -> i32;
     pub fn detent_world2_set_user(context: *mut Context, world: u32, id: Id, user: u64) -> i32;
+    pub fn detent_world2_set_gravity(context: *mut Context, world: u32, gravity: *const Vec2) -> i32;
     pub fn detent_world2_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec2) -> i32;
     pub fn detent_world2_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
     pub fn detent_world2_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec2, at: *const Vec2) -> i32;
@@ -1103,6 +1104,7 @@ extern "C" {
     pub fn detent_world2_remove_joint(context: *mut Context, world: u32, id: Id) -> i32;
     pub fn detent_world2_joint(context: *const Context, world: u32, id: Id, joint: *mut Joint2) -> i32;
     pub fn detent_world2_joint_force(context: *const Context, world: u32, id: Id, force: *mut Vec2) -> i32;
+    pub fn detent_world2_joint_torque(context: *const Context, world: u32, id: Id, torque: *mut i32) -> i32;
     pub fn detent_world2_joint_count(context: *const Context, world: u32, count: *mut u32) -> i32;
     pub fn detent_world2_joint_ids(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;
     pub fn detent_world2_broken(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;
@@ -1226,6 +1228,7 @@ extern "C" {
     pub fn detent_world3_set_locked(context: *mut Context, world: u32, id: Id, locked: u32) -> i32;
     pub fn detent_world3_set_fast(context: *mut Context, world: u32, id: Id, is_fast: u32) -> i32;
     pub fn detent_world3_set_user(context: *mut Context, world: u32, id: Id, user: u64) -> i32;
+    pub fn detent_world3_set_gravity(context: *mut Context, world: u32, gravity: *const Vec3) -> i32;
     pub fn detent_world3_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec3) -> i32;
     pub fn detent_world3_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
     pub fn detent_world3_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec3, at: *const Vec3) -> i32;
@@ -1237,6 +1240,7 @@ extern "C" {
     pub fn detent_world3_remove_joint(context: *mut Context, world: u32, id: Id) -> i32;
     pub fn detent_world3_joint(context: *const Context, world: u32, id: Id, joint: *mut Joint3) -> i32;
     pub fn detent_world3_joint_force(context: *const Context, world: u32, id: Id, force: *mut Vec3) -> i32;
+    pub fn detent_world3_joint_torque(context: *const Context, world: u32, id: Id, torque: *mut i32) -> i32;
     pub fn detent_world3_joint_count(context: *const Context, world: u32, count: *mut u32) -> i32;
     pub fn detent_world3_joint_ids(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;
     pub fn detent_world3_broken(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;

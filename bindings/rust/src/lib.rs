@@ -765,6 +765,14 @@ macro_rules! space {
                     })?;
                     Ok(if yes { Some([$(force.$x),*]) } else { None })
                 }
+                /// The torque of a joint on its body b in the last step.
+                pub fn joint_torque(&self, id: Id) -> Result<Option<[i32; $spin]>> {
+                    let mut torque = [0; $spin];
+                    let yes = check(unsafe {
+                        world_joint_torque(self.at(), self.handle, id, torque.as_mut_ptr())
+                    })?;
+                    Ok(if yes { Some(torque) } else { None })
+                }
                 /// The ids of all joints.
                 pub fn joint_ids(&self) -> Result<Vec<Id>> {
                     list(|to, room, count| unsafe {
@@ -872,6 +880,11 @@ macro_rules! space {
                 /// Sets the user word of a body; wakes nothing.
                 pub fn set_user(&mut self, id: Id, user: u64) -> Result<bool> {
                     check(unsafe { world_set_user(self.at(), self.handle, id, user) })
+                }
+                /// Sets the gravity of the world and wakes all bodies.
+                pub fn set_gravity(&mut self, gravity: [i32; $n]) -> Result<()> {
+                    check(unsafe { world_set_gravity(self.at(), self.handle, &vec(gravity)) })
+                        .map(|_| ())
                 }
                 /// Sets the velocity of a body and wakes it.
                 pub fn set_velocity(&mut self, id: Id, velocity: [i32; $n]) -> Result<bool> {
@@ -1212,6 +1225,7 @@ space! {
     world_broken = detent_world2_broken,
     world_local_point = detent_world2_local_point,
     world_joint_force = detent_world2_joint_force,
+    world_joint_torque = detent_world2_joint_torque,
     scene_add_frame = detent_scene2_add_frame,
     scene_move_frame = detent_scene2_move_frame,
     scene_remove_frame = detent_scene2_remove_frame,
@@ -1258,6 +1272,7 @@ space! {
     world_set_locked = detent_world2_set_locked,
     world_set_fast = detent_world2_set_fast,
     world_set_user = detent_world2_set_user,
+    world_set_gravity = detent_world2_set_gravity,
     world_set_velocity = detent_world2_set_velocity,
     world_set_angular_velocity = detent_world2_set_angular_velocity,
     world_apply_impulse = detent_world2_apply_impulse,
@@ -1332,6 +1347,7 @@ space! {
     world_broken = detent_world3_broken,
     world_local_point = detent_world3_local_point,
     world_joint_force = detent_world3_joint_force,
+    world_joint_torque = detent_world3_joint_torque,
     scene_add_frame = detent_scene3_add_frame,
     scene_move_frame = detent_scene3_move_frame,
     scene_remove_frame = detent_scene3_remove_frame,
@@ -1378,6 +1394,7 @@ space! {
     world_set_locked = detent_world3_set_locked,
     world_set_fast = detent_world3_set_fast,
     world_set_user = detent_world3_set_user,
+    world_set_gravity = detent_world3_set_gravity,
     world_set_velocity = detent_world3_set_velocity,
     world_set_angular_velocity = detent_world3_set_angular_velocity,
     world_apply_impulse = detent_world3_apply_impulse,

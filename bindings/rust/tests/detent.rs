@@ -95,6 +95,9 @@ fn contacts_and_setters_of_bodies() {
     let velocity = world.body(block).unwrap().unwrap().velocity;
     assert_eq!(velocity.x, 0); // locked
     assert!((velocity.y - 10 * ONE / 60).abs() < 20); // it rises, undamped
+    world.set_gravity([0, 10 * ONE]).unwrap();
+    world.step().unwrap();
+    assert!(world.body(block).unwrap().unwrap().velocity.y.abs() < 40); // that pulled it back
 }
 
 #[test]
@@ -228,12 +231,15 @@ fn joints_and_frames() {
     assert!((spin - 2 * ONE).abs() < ONE / 10);
     let force = world.joint_force(hinge).unwrap().unwrap();
     assert!(force[0].abs() + force[1].abs() > ONE);
+    let torque = world.joint_torque(hinge).unwrap().unwrap();
+    assert!(torque[0] > ONE); // the motor lifts the arm
     joint.break_force = 1;
     assert_eq!(world.change_joint(hinge, &joint), Ok(true));
     assert_eq!(world.joint(hinge), Ok(Some(joint)));
     world.step().unwrap();
     assert_eq!(world.broken(), Ok(vec![hinge]));
     assert_eq!((world.remove_joint(hinge), world.joint_force(hinge)), (Ok(false), Ok(None)));
+    assert_eq!(world.joint_torque(hinge), Ok(None));
     let solid = d2::solid(&context, 3, &[[0, 0], [ONE, 0], [0, ONE]]).unwrap();
     let body = d2::placed(&solid, [9 * ONE, 9 * ONE], d2::AXES, ONE);
     world.add(&body, &options).unwrap();

@@ -53,14 +53,13 @@ template <Scalar S>
   return {dyadic<S>(rigid), dyadic<S>(pull), dyadic<S>((1 << 30) - rigid)};
 }
 
-/// A spring of w h = pi / 4 and damping ratio 10: rigid = w h (20 + w h) / (1 + w h (20 + w h)),
+/// A spring of w h = 0.9 and damping ratio 10: rigid = w h (20 + w h) / (1 + w h (20 + w h)),
 /// pull = rigid w h / (20 + w h), rounded to 2^-30.
 template <Scalar S>
-inline constexpr Softness<S> contact_softness = softness<S>(1011764717, 38230596);
-/// The spring of `contact_softness` with w h = pi / 2, for contacts with a body that cannot be
-/// pushed.
+inline constexpr Softness<S> contact_softness = softness<S>(1019539814, 43903628);
+/// The spring of `contact_softness` with w h = 1.8, for contacts with a body that cannot be pushed.
 template <Scalar S>
-inline constexpr Softness<S> wall_softness = softness<S>(1042960878, 75948940);
+inline constexpr Softness<S> wall_softness = softness<S>(1047058379, 86454362);
 
 /// The solver's data about a body besides its motion.
 template <Scalar S, int N>

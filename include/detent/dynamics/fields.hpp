@@ -143,12 +143,13 @@ constexpr FieldName& add_id(FieldName& name, const Id<Tag>& id) noexcept {
 
 }  // namespace detail
 
-/// The bodies, contacts and joints of a world, such as `body 3:17 (sphere) velocity.y` or
+/// Gravity, the bodies, contacts and joints of a world, such as `body 3:17 (sphere) velocity.y` or
 /// `contact 3:17 4:2 point 0 pressure`, with the raw numbers of docs/dynamics.md.
 ///
 /// (tests/dynamics/fields.test.cpp)
 template <class Storage, Scalar S, int N, class... Shapes, class F>
 constexpr void for_each_field(const BasicWorld<Storage, S, N, Shapes...>& world, const F& f) {
+  f(" gravity", world.settings().gravity);
   const auto& bodies = detail::WorldAccess::bodies(world);
   const auto field_of = [&](std::size_t i) {
     return detail::BodyField{bodies[i],

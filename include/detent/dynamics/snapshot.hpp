@@ -26,8 +26,9 @@
 //   digest(world)           -> 64 bits of all bodies, contacts and joints
 //   digest_of(world, id)    -> 64 bits of one body
 //
-// Version 2, all little-endian:
+// Version 3, all little-endian:
 // * a header of 64 bytes;
+// * gravity;
 // * each body that is not fixed, in order of index: a word of its index (bits 0 to 19), its quiet
 //   ticks (20 to 27), whether it sleeps (28), whether its properties are those of the body before it
 //   (29), whether forces or torques act on it (30) and whether it has moved from where it is held
@@ -52,15 +53,15 @@
 // * the XXH64 of all that.
 //
 // Equal worlds have equal bytes. Fixed bodies appear only as a digest: a world restores snapshots
-// that were taken with the same settings and the same fixed bodies. The digest of a world omits the
-// next generation, which depends on past bodies.
+// that were taken with the same fixed bodies and the same settings, except gravity. The digest of a
+// world omits the next generation, which depends on past bodies.
 
 namespace detent {
 
 namespace detail {
 
-/// The first 64 bytes of a snapshot: "DTNW", version 2.
-struct WorldHeader : SnapshotStart<0x574e5444u, 2, 64> {
+/// The first 64 bytes of a snapshot: "DTNW", version 3.
+struct WorldHeader : SnapshotStart<0x574e5444u, 3, 64> {
   std::uint16_t shapes = 0, kinds = 0;  // of shapes and of joints, a bit each
   std::uint32_t next_generation = 0, bodies = 0, contacts = 0, fixed = 0;
   std::uint32_t next_joint = 0, joints = 0;
@@ -162,6 +163,7 @@ constexpr void for_each_loose(const Bodies& bodies, const F& f) noexcept {
 
 template <class D, class World>
 constexpr void describe_world(D& out, const World& world) noexcept {
+  out.add(world.settings().gravity);
   for_each_loose(
       WorldAccess::bodies(world), [&](const auto& body, std::uint32_t i, const auto* before) {
         const bool alike = before != nullptr && is_made_like(body, *before);
@@ -226,9 +228,8 @@ template <class Storage, Scalar S, int N, class... Parts>
   const auto& settings = world.settings();
   Digest own;
   own.add(static_cast<std::int32_t>(settings.ticks_per_second),
-          static_cast<std::int32_t>(settings.substeps), settings.gravity, settings.margin,
-          settings.push_speed, settings.bounce_threshold, settings.sleep_speed,
-          settings.hold_distance);
+          static_cast<std::int32_t>(settings.substeps), settings.margin, settings.push_speed,
+          settings.bounce_threshold, settings.sleep_speed, settings.hold_distance);
   header.settings_digest = own.value();
   return header;
 }
@@ -433,8 +434,8 @@ template <Scalar S, int N, class... Shapes>
 /// Sets `world` to the state of a snapshot, or returns why it is unchanged.
 ///
 /// domain: any bytes
-/// result: `other_scene` also for different settings; a restored world steps bit by bit like the
-///         one that was saved                                    (tests/dynamics/snapshot.test.cpp)
+/// result: `other_scene` also for different settings, except gravity, which is restored; a restored
+///         world steps bit by bit like the one that was saved    (tests/dynamics/snapshot.test.cpp)
 template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
 [[nodiscard]] constexpr Restored restore(BasicWorld<Storage, S, N, Shapes...>& world,
                                          std::span<const std::byte> bytes, const Lists&... lists) {
@@ -467,17 +468,20 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   typename World::Contacts contacts;
   std::remove_cvref_t<decltype(WorldAccess::joints(world))> joints;
   detail::Reader parts(WorldHeader::body(bytes));
+  Vec<S, N> gravity{};
+  parts.get(gravity);
   const auto said = detail::read_world<S, N>(
       parts, header, bodies, contacts, joints, World::capacity, World::contact_capacity,
       WorldAccess::pace(world), detail::AssetLists<Lists...>(lists...));
   if (said == Restored::yes) {
-    WorldAccess::assign(world, std::move(bodies), std::move(contacts), std::move(joints),
+    WorldAccess::assign(world, gravity, std::move(bodies), std::move(contacts), std::move(joints),
                         header.next_generation, header.bodies + std::size_t{header.fixed});
   }
   return said;
 }
 
-/// Appends to a digest: the bodies that are not fixed, the contacts and the joints, as in a snapshot.
+/// Appends to a digest, as in a snapshot: gravity, the bodies that are not fixed, the contacts and
+/// the joints.
 template <class D, class Storage, Scalar S, int N, class... Shapes>
 constexpr void append(D& digest, const BasicWorld<Storage, S, N, Shapes...>& world) noexcept {
   detail::describe_world(digest, world);

@@ -275,12 +275,24 @@ class BasicWorld {
       requires(has_joints) {
     const auto* record = joints_.find(id);
     if (record == nullptr) return {};
-    const auto pair = record->bodies();
     const auto load = Tick::Group::load_of(*record, bodies_, pace_.rate);
-    return make_vec<N>([&](int k) {
-      return detail::momentum_of<S>(bodies_[pair.a], bodies_[pair.b], load[k],
-                                    pace_.rate * pace_.rate);
-    });
+    return make_vec<N>([&](int k) { return thrust_of(*record, load[k]); });
+  }
+  /// The torque of a joint on its body b, the opposite of that on a, by its motor, limits and the
+  /// rows that align frames, along their axes now; its pushes at the anchors do not count. Otherwise
+  /// like `joint_force`.
+  ///
+  /// units:  torque in units of mass times units squared per second squared
+  /// exact:  each component rounded and clamped, as docs/joints.md says
+  ///                                                       (tests/dynamics/joint/force.test.cpp)
+  [[nodiscard]] constexpr detail::Axial<S, N> joint_torque(const JointId& id) const noexcept
+      requires(has_joints) {
+    detail::Axial<S, N> torque{};
+    const auto* record = joints_.find(id);
+    if (record == nullptr) return torque;
+    const auto twist = Tick::Group::twist_of(*record, bodies_, pace_.rate);
+    for (std::size_t k = 0; k < torque.size(); ++k) torque[k] = thrust_of(*record, twist[k]);
+    return torque;
   }
 
   /// The joints that broke in the last step and were removed, in order of their indices.
@@ -426,6 +438,15 @@ class BasicWorld {
     disturb(id.index);
     return true;
   }
+  /// Sets the gravity of the world from the next step on, and wakes all bodies. It is part of the
+  /// state: of digests, snapshots and copies.
+  ///
+  /// units:  units per second squared
+  constexpr void set_gravity(const Vec<S, N>& gravity) noexcept {
+    take_gravity(gravity);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) rouse(bodies_[i]);
+  }
+
   /// Sets the velocity of a body, and wakes it. Ignored for fixed bodies.
   constexpr void set_velocity(const BodyId& id, const Vec<S, N>& velocity) noexcept {
     Body* body = find(id);
@@ -629,6 +650,17 @@ class BasicWorld {
     });
     return {detail::velocity_of<S, N>(body, push, per),
             detail::spin_of<S, N>(body, detail::moment_of<S, N>(arm, push), per)};
+  }
+
+  /// A sum of a joint's impulses as a force or torque.
+  template <class Record, Number T>
+  [[nodiscard]] constexpr S thrust_of(const Record& record, const T& sum) const noexcept {
+    const auto pair = record.bodies();
+    return detail::momentum_of<S>(bodies_[pair.a], bodies_[pair.b], sum, pace_.rate * pace_.rate);
+  }
+  constexpr void take_gravity(const Vec<S, N>& gravity) noexcept {
+    settings_.gravity = gravity;
+    pace_ = detail::pace_of(settings_);
   }
 
   constexpr void rouse(Body& body) noexcept {
@@ -845,9 +877,11 @@ struct WorldAccess {
   [[nodiscard]] static constexpr int rate(const World& world) noexcept {
     return world.pace_.rate;
   }
-  template <class World, class Bodies, class Contacts, class Joints>
-  static constexpr void assign(World& world, Bodies&& bodies, Contacts&& contacts, Joints&& joints,
-                               std::uint32_t next, std::size_t size) {
+  template <class World, class Gravity, class Bodies, class Contacts, class Joints>
+  static constexpr void assign(World& world, const Gravity& gravity, Bodies&& bodies,
+                               Contacts&& contacts, Joints&& joints, std::uint32_t next,
+                               std::size_t size) {
+    world.take_gravity(gravity);
     world.bodies_ = std::forward<Bodies>(bodies);
     world.contacts_ = std::forward<Contacts>(contacts);
     world.joints_ = std::forward<Joints>(joints);

@@ -87,6 +87,9 @@ detent_status detent_world2_set_fast(detent_context* context, detent_handle worl
 detent_status detent_world2_set_user(detent_context* context, detent_handle world, detent_id id, uint64_t user) {
   return detent::c::Worlds<2>::set_user(context, world, id, user);
 }
+detent_status detent_world2_set_gravity(detent_context* context, detent_handle world, const detent_vec2* gravity) {
+  return detent::c::Worlds<2>::set_gravity(context, world, gravity);
+}
 detent_status detent_world2_set_velocity(detent_context* context, detent_handle world, detent_id id, const detent_vec2* velocity) {
   return detent::c::Worlds<2>::set_velocity(context, world, id, velocity);
 }
@@ -119,6 +122,9 @@ detent_status detent_world2_joint(const detent_context* context, detent_handle w
 }
 detent_status detent_world2_joint_force(const detent_context* context, detent_handle world, detent_id id, detent_vec2* force) {
   return detent::c::Worlds<2>::joint_force(context, world, id, force);
+}
+detent_status detent_world2_joint_torque(const detent_context* context, detent_handle world, detent_id id, int32_t* torque) {
+  return detent::c::Worlds<2>::joint_torque(context, world, id, torque);
 }
 detent_status detent_world2_joint_count(const detent_context* context, detent_handle world, uint32_t* count) {
   return detent::c::Worlds<2>::joint_count(context, world, count);

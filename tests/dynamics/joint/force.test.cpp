@@ -20,6 +20,15 @@ BodyOptions<S, N> of_density(double density) {
   return options;
 }
 
+/// The multiple of 2^-Frac nearest to x; ties go up.
+template <int Frac>
+Rational nearest(const Rational& x) {
+  const Rational scaled = x * (std::int64_t{1} << Frac) + Rational(1, 2);
+  auto floor = numerator(scaled) / denominator(scaled);
+  if (floor * denominator(scaled) > numerator(scaled)) --floor;
+  return Rational(floor) / (std::int64_t{1} << Frac);
+}
+
 /// A ball on a rod below a fixed one, at rest.
 template <Scalar S, int N>
 struct Pendulum {
@@ -137,6 +146,122 @@ TEMPLATE_TEST_CASE("joint force: each component is the exact one, rounded once a
       }
     }
   }
+}
+
+// A box on a wall: its joint carries its weight at a lever of 1, about the z axis.
+TEMPLATE_TEST_CASE("joint torque: carries a weight at a lever", "[.all]", DETENT_EVERYDAY_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const auto check = [](auto joint) {
+    using Joint = decltype(joint);
+    JointedWorld<S, N> world(sleepless<S, N>());
+    const auto wall = add_box<S, N>(world, -1, 0, 1, 1, fixed_body<S, N>());
+    const auto box = add_box<S, N>(world, 1, 0, 0.5, 0.5);
+    const auto at_wall = joint_at<Joint>(world, wall, box, 0, 0);
+    joint.a = at_wall.a;
+    joint.b = at_wall.b;
+    joint.anchor_a = at_wall.anchor_a;
+    joint.anchor_b = at_wall.anchor_b;
+    const auto id = world.add(joint).value_or(no_joint);
+    CHECK(world.joint_torque(id) == detail::Axial<S, N>{});
+    for (int t = 0; t < 60; ++t) world.step();
+    const auto torque = world.joint_torque(id);
+    const auto weight = 10 * static_cast<double>(world.mass(box));
+    const std::size_t z = torque.size() - 1;
+    CAPTURE(static_cast<double>(torque[z]), weight);
+    CHECK(std::abs(static_cast<double>(torque[z]) - weight) < weight / 50 + 2.0 / 256);
+    for (std::size_t k = 0; k < z; ++k) {
+      CHECK(std::abs(static_cast<double>(torque[k])) < weight / 50 + 2.0 / 256);
+    }
+    CHECK(world.joint_torque(no_joint) == detail::Axial<S, N>{});
+  };
+  check(WeldJoint<S, N>());
+  HingeJoint<S, N> brake;
+  brake.motor_torque = S(100);
+  check(brake);
+  HingeJoint<S, N> at_end;
+  at_end.has_limits = true;
+  check(at_end);
+  // A ball joint cannot carry it.
+  JointedWorld<S, N> world(sleepless<S, N>());
+  const auto wall = add_box<S, N>(world, -1, 0, 1, 1, fixed_body<S, N>());
+  const auto box = add_box<S, N>(world, 1, 0, 0.5, 0.5);
+  const auto id = world.add(joint_at<BallJoint<S, N>>(world, wall, box, 0, 0)).value_or(no_joint);
+  world.step();
+  CHECK(world.joint_torque(id) == detail::Axial<S, N>{});
+}
+
+TEMPLATE_TEST_CASE("joint torque: of a motor that is not yet up to speed is its greatest", "",
+                   (Space<q16_16, 2>), (Space<q16_16, 3>)) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  WorldSettings<S, N> settings = sleepless<S, N>();
+  settings.gravity = {};
+  JointedWorld<S, N> world(settings);
+  const auto a = add_box<S, N>(world, 0, 0, 1, 0.25, of_density<S, N>(3));
+  const auto b = add_box<S, N>(world, 0, 0, 0.5, 0.5);
+  auto motor = joint_at<HingeJoint<S, N>>(world, a, b, 0, 0);
+  motor.motor_speed = S(200);
+  motor.motor_torque = num<S>(1.5);
+  const auto id = world.add(motor).value_or(no_joint);
+  for (int t = 0; t < 10; ++t) world.step();
+  const auto torque = world.joint_torque(id);
+  CHECK(std::abs(static_cast<double>(torque[torque.size() - 1]) - 1.5) < 0.001);
+}
+
+TEMPLATE_TEST_CASE("joint torque: each component is the exact one, rounded where the document says",
+                   "", (Space<q16_16, 2>), (Space<q16_16, 3>), (Space<q8_8, 3>)) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  using F = detail::Formats<S>;
+  // Welds turn about the axes of the world, and the inertia of a ball is the same about all.
+  World<S, N, Sphere, WeldJoint> world(sleepless<S, N>());
+  std::vector<JointId> joints;
+  BodyId last = no_object;
+  for (int i = 0; i < 5; ++i) {
+    auto options = of_density<S, N>(i == 0 ? 1 : 0.25 * i);
+    if (i == 0) options.motion = BodyMotion::fixed;
+    const auto next =
+        world.add(Sphere<S, N>{at<S, N>(i, 20), num<S>(0.5)}, options).value_or(no_object);
+    if (i != 0) {
+      WeldJoint<S, N> joint;
+      joint.a = last;
+      joint.b = next;
+      joint.anchor_a = at<S, N>(0.5, 0);
+      joint.anchor_b = at<S, N>(-0.5, 0);
+      joints.push_back(world.add(joint).value_or(no_joint));
+    }
+    last = next;
+  }
+  bool any = false;
+  for (int t = 0; t < 60; ++t) {
+    world.step();
+    const auto& records = detail::WorldAccess::joints(world).list;
+    const auto& bodies = detail::WorldAccess::bodies(world);
+    for (const auto& id : joints) {
+      const auto& record = records[id.index];
+      const auto &a = bodies[record.bodies().a], &b = bodies[record.bodies().b];
+      const auto inverse = [](const auto& body) {
+        return body.can_move() ? Rational(1 / exact(body.mass)) : Rational(0);
+      };
+      const auto [share_a, share_b] = detail::mass_shares<S>(a, b);
+      const auto torque = world.joint_torque(id);
+      for (std::size_t k = 0; k < torque.size(); ++k) {
+        const auto gyration = [&](const auto& body, const auto& share) {
+          if (!body.can_move()) return Rational(0);
+          const auto spread = detail::support_of<S, N>(body).spread;
+          return exact(nearest_to<typename F::Gyration>(spread[k] * share));
+        };
+        const Rational s = gyration(a, share_a) + gyration(b, share_b);
+        const Rational load = nearest<F::Torque::frac>(Rational(exact(record.turn[k]) / s)) *
+                              (240 * 240) / (inverse(a) + inverse(b));
+        const auto expected = std::clamp(load, exact(S::lowest()), exact(S::max()));
+        CHECK(2 * abs(exact(torque[k]) - expected) <= exact(S::from_raw(1)));
+        any = any || torque[k] != S{};
+      }
+    }
+  }
+  CHECK(any);
 }
 
 }  // namespace

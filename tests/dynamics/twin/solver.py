@@ -6,8 +6,8 @@ from body import axes, carried, turned
 from fixed import ONE, cross, dot, ratio, unit
 from joints import Solved
 
-SOFT = 1011764717, 38230596, 61977107
-WALL = 1042960878, 75948940, 30780946
+SOFT = 1019539814, 43903628, 54202010
+WALL = 1047058379, 86454362, 26683445
 
 
 class Row:

@@ -88,7 +88,9 @@ class Stage {
     std::istringstream in(event);
     std::string what;
     std::size_t index = 0;
-    in >> what >> index;
+    in >> what;
+    if (what == "gravity") return world_.set_gravity(vector<N>(in));
+    in >> index;
     if (what == "end") {
       if (!world_.remove(joints_.at(index))) fail("cannot: " + event);
     } else if (what == "change") {

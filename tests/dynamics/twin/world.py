@@ -23,7 +23,6 @@ class World:
         self.n, self.ticks_per_second = n, settings["ticks"]
         rate = self.rate = settings["ticks"] * settings["substeps"]
         self.substeps = settings["substeps"]
-        self.gravity = [f.speed.quotient(g, rate * rate, f.F) for g in settings["gravity"]]
         self.push = f.speed.quotient(settings["push"], rate, f.F)
         self.bounce = f.speed.quotient(settings["bounce"], rate, f.F)
         self.sleep = f.speed.quotient(settings["sleep"], rate, f.F)
@@ -33,6 +32,7 @@ class World:
         self.hold, self.hold_turn = f.speed.near(settings["hold"], f.F), 1 << 21
         self.bodies, self.contacts, self.joints = [], {}, []  # None for a removed joint
         self.touch_events = []
+        self.set_gravity(settings["gravity"])
 
     def add(self, motion, shape, place, q, options, frame):
         f = self.f
@@ -53,15 +53,25 @@ class World:
         b.is_sensor, b.locked, locked = options["sensor"], options["locked"], options["locked"]
         b.locked_v = [locked >> k & 1 for k in range(self.n)]
         b.locked_w = [int(locked >> 3 != 0)] if self.n == 2 else [locked >> k & 1 for k in (3, 4, 5)]
-        scale = options["gravity_scale"]
-        b.gravity = [g if scale == 1 << f.F else f.speed.near(scale * g, f.F + f.F + 12)
-                     for g in self.gravity]
+        b.gravity_scale = options["gravity_scale"]
+        self.attract(b)
         b.push, b.twist = [0] * self.n, [0] * len(b.w)
         b.drift, b.lean = [0] * self.n, [0] * len(b.w)
         bodies.set_mass(f, self.n, b, options["density"])
         self.bodies.append(b)
 
+    def attract(self, b):
+        f, scale = self.f, b.gravity_scale
+        b.gravity = [g if scale == 1 << f.F else f.speed.near(scale * g, f.F + f.F + 12)
+                     for g in self.gravity]
+
     # Between ticks
+
+    def set_gravity(self, numbers):
+        self.gravity = [self.f.speed.quotient(g, self.rate * self.rate, self.f.F) for g in numbers]
+        for b in self.bodies:
+            self.attract(b)
+            b.sleeps, b.quiet = False, 0
 
     def set_motion(self, index, what, numbers):
         b = self.bodies[index]

@@ -101,6 +101,14 @@ class Aim {
     stiff();
   }
 
+  /// The angular impulse of turn i about its axis, over the masses; 0 if neither body can turn.
+  [[nodiscard]] constexpr typename F::Torque turned(std::size_t i,
+                                                    const typename F::Turn& by) const noexcept {
+    auto row = ready_.turn[i];
+    const auto whole = share_out(row, spread_a_, spread_b_);
+    return whole > 0 ? quotient_nearest<typename F::Torque>(by, whole) : typename F::Torque{};
+  }
+
  private:
   static constexpr Vec<Ratio, N> unit_axis(int i) noexcept {
     Vec<Ratio, N> axis{};
@@ -178,12 +186,11 @@ class Aim {
     const auto& other = ready_.turn[j];
     if (row.terms.law == Law::none) return;
     const auto copy = [](auto& to, const auto& from) {
-      bool is_within = true;
       for (std::size_t k = 0; k < from.size(); ++k) {
+        if (abs(from[k]) >= TurnShare(64)) return false;
         to[k] = narrow_negative(from[k]);
-        is_within = is_within && abs(from[k]) < TurnShare(64);
       }
-      return is_within;
+      return true;
     };
     const bool are_within = copy(row.on_a, other.on_a) && copy(row.on_b, other.on_b);
     if (!are_within) return turn(i, reversed(other.axis), gap);

@@ -157,10 +157,26 @@ class JointGroup {
   template <class Bodies>
   [[nodiscard]] static constexpr auto load_of(const Record& record, const Bodies& bodies,
                                               int rate) noexcept {
-    Ready ready = ready_of(record, 0, bodies, rate);
-    const auto a = support_of<S, N>(bodies[ready.a]), b = support_of<S, N>(bodies[ready.b]);
-    record.joint.visit(Aim<S, N, Ready>(ready, a, b));
-    return load_of(ready, record);
+    return aimed(record, bodies, rate,
+                 [&](const Ready& ready, const auto&) { return load_of(ready, record); });
+  }
+  /// The sum of all turns of a joint about their axes, over the masses, for the current poses of its
+  /// bodies.
+  template <class Bodies>
+  [[nodiscard]] static constexpr auto twist_of(const Record& record, const Bodies& bodies,
+                                               int rate) noexcept {
+    using Torque = typename Formats<S>::Torque;
+    return aimed(record, bodies, rate, [&](const Ready& ready, const auto& rows) {
+      Axial<Torque, N> sum{};
+      for (std::size_t k = 0; k < record.turn.size(); ++k) {
+        if (ready.turn[k].terms.law == Law::none) continue;
+        const auto turned = rows.turned(k, record.turn[k]);
+        for (std::size_t i = 0; i < sum.size(); ++i) {
+          sum[i] = saturate_to<Torque>(sum[i] + nearest_to<Torque>(ready.turn[k].axis[i] * turned));
+        }
+      }
+      return sum;
+    });
   }
 
   /// Calls f(index) for each joint that broke in this tick, in order.
@@ -362,6 +378,16 @@ class JointGroup {
     return ready;
   }
 
+  /// f(ready, aim) for a joint whose rows are aimed at the current poses of its bodies.
+  template <class Bodies, class F>
+  static constexpr auto aimed(const Record& record, const Bodies& bodies, int rate,
+                              const F& f) noexcept {
+    Ready ready = ready_of(record, 0, bodies, rate);
+    const auto a = support_of<S, N>(bodies[ready.a]), b = support_of<S, N>(bodies[ready.b]);
+    Aim<S, N, Ready> rows(ready, a, b);
+    record.joint.visit(rows);
+    return f(ready, rows);
+  }
   static constexpr auto load_of(const Ready& ready, const Record& record) noexcept {
     using Length = typename Formats<S>::Length;
     return make_vec<N>([&](int i) {
