@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The C# binding: the foreign functions and structures, and bindings/csharp/spaces.cs.in for both
-dimensions. Arrays become fields, such as `axis0` and `axis1`, so that every structure is blittable."""
+dimensions. Arrays become fields, such as `axis0` and `axis1`, so that every structure is blittable.
+In the template Axial{N} is an angular velocity or a torque: a number in 2D and a vector in 3D."""
 import os
 import re
 from description import expand
@@ -70,6 +71,7 @@ def files(description, note):
     lines += ['  }', '}', '', '}', '']
     template = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'csharp', 'spaces.cs.in')
     spaces = expand(open(template, encoding='utf-8').read())
+    spaces = spaces.replace('Axial2', 'int').replace('Axial3', 'Vec3')
     spaces = spaces.replace('@generated', note.replace('detent.h.in', 'csharp/spaces.cs.in'))
     return {'bindings/csharp/Interface.cs': re.sub(r' +\n', '\n', '\n'.join(lines)),
             'bindings/csharp/Spaces.cs': spaces}

@@ -35,7 +35,8 @@ public static class Number {
 
 /// <summary>Makes scenes and worlds. Disposing it destroys them.</summary>
 public sealed unsafe class Context : IDisposable {
-  internal ContextMemory* Memory { get; private set; }
+  /// <summary>The first argument of the functions of <see cref="C"/>.</summary>
+  public ContextMemory* Memory { get; private set; }
   public Context() {
     Memory = (ContextMemory*)Marshal.AllocHGlobal(sizeof(ContextMemory));
     *Memory = default(ContextMemory);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Written by bindings/generate from bindings/csharp/spaces.cs.in: change that file instead.
-// Shapes, scenes and worlds of both dimensions. No call allocates garbage except Snapshot.
+// Shapes, scenes and worlds of both dimensions. No call allocates garbage, except those that give an
+// array or a string.
 using System;
 
 namespace Detent {
@@ -145,7 +146,7 @@ public sealed unsafe class Scene2 {
   }
 }
 
-/// <summary>Moving bodies. For functions missing here, call C with Handle.</summary>
+/// <summary>Moving bodies and their joints.</summary>
 public unsafe class World2 {
   internal readonly Context context;
   public readonly uint Handle;
@@ -159,6 +160,15 @@ public unsafe class World2 {
     Body2Options options;
     Number.Check(C.detent_body2_default_options(&options));
     return options;
+  }
+  /// <summary>A joint to add, of a kind such as C.HINGE_JOINT, at the centers of the bodies, without
+  /// limits, motor or spring. A distance joint has the limits 0 and 1.</summary>
+  public static Joint2 DefaultJoint(uint kind, Id a, Id b) {
+    Joint2 joint;
+    Number.Check(C.detent_joint2_defaults(kind, &joint));
+    joint.a = a;
+    joint.b = b;
+    return joint;
   }
 
   internal World2(Context context, uint handle) {
@@ -180,10 +190,47 @@ public unsafe class World2 {
     Number.Check(C.detent_world2_add(context.Memory, Handle, &shape, &options, &id));
     return id;
   }
+  /// <summary>Adds a body with an id of your choice; false if it is taken or cannot be used.</summary>
+  public bool AddAs(Id id, Shape2 shape, Body2Options options) {
+    return Number.Check(C.detent_world2_add_as(context.Memory, Handle, id, &shape, &options));
+  }
   public bool Remove(Id id) { return Number.Check(C.detent_world2_remove(context.Memory, Handle, id)); }
   public void Step() { Number.Check(C.detent_world2_step(context.Memory, Handle)); }
   public bool Get(Id id, out Body2 body) {
     fixed (Body2* to = &body) return Number.Check(C.detent_world2_body(context.Memory, Handle, id, to));
+  }
+  /// <summary>Writes the states of the first `count` ids; zeros for those that do not exist.</summary>
+  public void Bodies(Id[] ids, Body2[] bodies, int count) {
+    if ((uint)count > (uint)ids.Length || count > bodies.Length) throw new DetentException(C.BAD_ARGUMENT);
+    fixed (Id* from = ids) fixed (Body2* to = bodies) {
+      Number.Check(C.detent_world2_bodies(context.Memory, Handle, from, (uint)count, to));
+    }
+  }
+  /// <summary>Writes as many ids of bodies as there is room for. Returns how many there are, like
+  /// Size.</summary>
+  public int BodyIds(Id[] ids) {
+    uint count;
+    fixed (Id* to = ids) {
+      Number.Check(C.detent_world2_body_ids(context.Memory, Handle, to, (uint)ids.Length, &count));
+    }
+    return (int)count;
+  }
+  /// <summary>The layers, motion and other properties of a body.</summary>
+  public bool GetInfo(Id id, out BodyInfo info) {
+    fixed (BodyInfo* to = &info) return Number.Check(C.detent_world2_info(context.Memory, Handle, id, to));
+  }
+  /// <summary>The frame in which a compound's parts or a hull's points were given.</summary>
+  public bool GetFrame(Id id, out Transform2 frame) {
+    fixed (Transform2* to = &frame) {
+      return Number.Check(C.detent_world2_frame(context.Memory, Handle, id, to));
+    }
+  }
+  /// <summary>The body of an object of a scene that follows this world, and the part of a
+  /// compound.</summary>
+  public bool PartOf(Id found, out Id body, out uint part) {
+    fixed (Id* to = &body) fixed (uint* index = &part) {
+      return Number.Check(C.detent_world2_part_of(context.Memory, Handle, found, to, index));
+    }
   }
   public bool SetPosition(Id id, Vec2 position) {
     return Number.Check(C.detent_world2_set_position(context.Memory, Handle, id, &position));
@@ -231,15 +278,120 @@ public unsafe class World2 {
     }
     return (int)count;
   }
+  /// <summary>Writes as many pairs that touch as there is room for, of one body; new Id() for those
+  /// of all. Returns how many there are.</summary>
+  public int Touching(Id id, Touch[] touches) {
+    uint count;
+    fixed (Touch* to = touches) {
+      Number.Check(C.detent_world2_touching(context.Memory, Handle, id, to, (uint)touches.Length, &count));
+    }
+    return (int)count;
+  }
+  /// <summary>Writes as many pairs that began or ceased to touch in the last step as there is room
+  /// for. Returns how many there are.</summary>
+  public int Events(Touch[] touches) {
+    uint count;
+    fixed (Touch* to = touches) {
+      Number.Check(C.detent_world2_events(context.Memory, Handle, to, (uint)touches.Length, &count));
+    }
+    return (int)count;
+  }
   public bool SetVelocity(Id id, Vec2 velocity) {
     return Number.Check(C.detent_world2_set_velocity(context.Memory, Handle, id, &velocity));
+  }
+  /// <summary>In radians per second, in steps of 2^-16.</summary>
+  public bool SetAngularVelocity(Id id, int velocity) {
+    return Number.Check(C.detent_world2_set_angular_velocity(context.Memory, Handle, id, (int*)&velocity));
+  }
+  /// <summary>Applies an impulse at the center of mass.</summary>
+  public bool ApplyImpulse(Id id, Vec2 impulse) {
+    return Number.Check(C.detent_world2_apply_impulse(context.Memory, Handle, id, &impulse, null));
   }
   public bool ApplyImpulse(Id id, Vec2 impulse, Vec2 at) {
     return Number.Check(C.detent_world2_apply_impulse(context.Memory, Handle, id, &impulse, &at));
   }
+  /// <summary>Applies a force at the center of mass during the next step.</summary>
+  public bool ApplyForce(Id id, Vec2 force) {
+    return Number.Check(C.detent_world2_apply_force(context.Memory, Handle, id, &force, null));
+  }
   public bool ApplyForce(Id id, Vec2 force, Vec2 at) {
     return Number.Check(C.detent_world2_apply_force(context.Memory, Handle, id, &force, &at));
   }
+  /// <summary>Applies a torque during the next step.</summary>
+  public bool ApplyTorque(Id id, int torque) {
+    return Number.Check(C.detent_world2_apply_torque(context.Memory, Handle, id, (int*)&torque));
+  }
+
+  /// <summary>Joins two bodies; see DefaultJoint. False if one does not exist or both are the
+  /// same.</summary>
+  public bool AddJoint(Joint2 joint, out Id id) {
+    fixed (Id* to = &id) return Number.Check(C.detent_world2_add_joint(context.Memory, Handle, &joint, to));
+  }
+  /// <summary>Replaces a joint by another of the same kind, such as that of GetJoint with another
+  /// motor.</summary>
+  public bool ChangeJoint(Id id, Joint2 joint) {
+    return Number.Check(C.detent_world2_change_joint(context.Memory, Handle, id, &joint));
+  }
+  public bool RemoveJoint(Id id) {
+    return Number.Check(C.detent_world2_remove_joint(context.Memory, Handle, id));
+  }
+  /// <summary>A joint as it was added or last changed.</summary>
+  public bool GetJoint(Id id, out Joint2 joint) {
+    fixed (Joint2* to = &joint) {
+      return Number.Check(C.detent_world2_joint(context.Memory, Handle, id, to));
+    }
+  }
+  /// <summary>The force of a joint on its body b in the last step.</summary>
+  public bool JointForce(Id id, out Vec2 force) {
+    fixed (Vec2* to = &force) {
+      return Number.Check(C.detent_world2_joint_force(context.Memory, Handle, id, to));
+    }
+  }
+  /// <summary>The torque on body b in the last step by a joint's motor, limits and alignment, without
+  /// that of its force.</summary>
+  public bool JointTorque(Id id, out int torque) {
+    fixed (int* to = &torque) {
+      return Number.Check(C.detent_world2_joint_torque(context.Memory, Handle, id, (int*)to));
+    }
+  }
+  public int JointCount {
+    get {
+      uint count;
+      Number.Check(C.detent_world2_joint_count(context.Memory, Handle, &count));
+      return (int)count;
+    }
+  }
+  /// <summary>Writes as many ids of joints as there is room for. Returns how many there are, like
+  /// JointCount.</summary>
+  public int JointIds(Id[] ids) {
+    uint count;
+    fixed (Id* to = ids) {
+      Number.Check(C.detent_world2_joint_ids(context.Memory, Handle, to, (uint)ids.Length, &count));
+    }
+    return (int)count;
+  }
+  /// <summary>Writes as many ids of joints that broke in the last step, and so were removed, as there
+  /// is room for. Returns how many there are.</summary>
+  public int Broken(Id[] ids) {
+    uint count;
+    fixed (Id* to = ids) {
+      Number.Check(C.detent_world2_broken(context.Memory, Handle, to, (uint)ids.Length, &count));
+    }
+    return (int)count;
+  }
+  /// <summary>Converts a world point to a body's frame, for the anchor of a joint.</summary>
+  public bool LocalPoint(Id id, Vec2 point, out Vec2 local) {
+    fixed (Vec2* to = &local) {
+      return Number.Check(C.detent_world2_local_point(context.Memory, Handle, id, &point, to));
+    }
+  }
+  /// <summary>Converts world axes to a body's frame, for the frame of a joint.</summary>
+  public bool LocalFrame(Id id, Rotation2 axes, out Rotation2 local) {
+    fixed (Rotation2* to = &local) {
+      return Number.Check(C.detent_world2_local_frame(context.Memory, Handle, id, &axes, to));
+    }
+  }
+
   public int Size {
     get {
       uint size;
@@ -251,6 +403,10 @@ public unsafe class World2 {
     ulong digest;
     Number.Check(C.detent_world2_digest(context.Memory, Handle, &digest));
     return digest;
+  }
+  /// <summary>The digest of one body.</summary>
+  public bool DigestOf(Id id, out ulong digest) {
+    fixed (ulong* to = &digest) return Number.Check(C.detent_world2_digest_of(context.Memory, Handle, id, to));
   }
   public byte[] Snapshot() {
     uint size;
@@ -561,7 +717,7 @@ public sealed unsafe class Scene3 {
   }
 }
 
-/// <summary>Moving bodies. For functions missing here, call C with Handle.</summary>
+/// <summary>Moving bodies and their joints.</summary>
 public unsafe class World3 {
   internal readonly Context context;
   public readonly uint Handle;
@@ -575,6 +731,15 @@ public unsafe class World3 {
     Body3Options options;
     Number.Check(C.detent_body3_default_options(&options));
     return options;
+  }
+  /// <summary>A joint to add, of a kind such as C.HINGE_JOINT, at the centers of the bodies, without
+  /// limits, motor or spring. A distance joint has the limits 0 and 1.</summary>
+  public static Joint3 DefaultJoint(uint kind, Id a, Id b) {
+    Joint3 joint;
+    Number.Check(C.detent_joint3_defaults(kind, &joint));
+    joint.a = a;
+    joint.b = b;
+    return joint;
   }
 
   internal World3(Context context, uint handle) {
@@ -596,10 +761,47 @@ public unsafe class World3 {
     Number.Check(C.detent_world3_add(context.Memory, Handle, &shape, &options, &id));
     return id;
   }
+  /// <summary>Adds a body with an id of your choice; false if it is taken or cannot be used.</summary>
+  public bool AddAs(Id id, Shape3 shape, Body3Options options) {
+    return Number.Check(C.detent_world3_add_as(context.Memory, Handle, id, &shape, &options));
+  }
   public bool Remove(Id id) { return Number.Check(C.detent_world3_remove(context.Memory, Handle, id)); }
   public void Step() { Number.Check(C.detent_world3_step(context.Memory, Handle)); }
   public bool Get(Id id, out Body3 body) {
     fixed (Body3* to = &body) return Number.Check(C.detent_world3_body(context.Memory, Handle, id, to));
+  }
+  /// <summary>Writes the states of the first `count` ids; zeros for those that do not exist.</summary>
+  public void Bodies(Id[] ids, Body3[] bodies, int count) {
+    if ((uint)count > (uint)ids.Length || count > bodies.Length) throw new DetentException(C.BAD_ARGUMENT);
+    fixed (Id* from = ids) fixed (Body3* to = bodies) {
+      Number.Check(C.detent_world3_bodies(context.Memory, Handle, from, (uint)count, to));
+    }
+  }
+  /// <summary>Writes as many ids of bodies as there is room for. Returns how many there are, like
+  /// Size.</summary>
+  public int BodyIds(Id[] ids) {
+    uint count;
+    fixed (Id* to = ids) {
+      Number.Check(C.detent_world3_body_ids(context.Memory, Handle, to, (uint)ids.Length, &count));
+    }
+    return (int)count;
+  }
+  /// <summary>The layers, motion and other properties of a body.</summary>
+  public bool GetInfo(Id id, out BodyInfo info) {
+    fixed (BodyInfo* to = &info) return Number.Check(C.detent_world3_info(context.Memory, Handle, id, to));
+  }
+  /// <summary>The frame in which a compound's parts or a hull's points were given.</summary>
+  public bool GetFrame(Id id, out Transform3 frame) {
+    fixed (Transform3* to = &frame) {
+      return Number.Check(C.detent_world3_frame(context.Memory, Handle, id, to));
+    }
+  }
+  /// <summary>The body of an object of a scene that follows this world, and the part of a
+  /// compound.</summary>
+  public bool PartOf(Id found, out Id body, out uint part) {
+    fixed (Id* to = &body) fixed (uint* index = &part) {
+      return Number.Check(C.detent_world3_part_of(context.Memory, Handle, found, to, index));
+    }
   }
   public bool SetPosition(Id id, Vec3 position) {
     return Number.Check(C.detent_world3_set_position(context.Memory, Handle, id, &position));
@@ -647,15 +849,120 @@ public unsafe class World3 {
     }
     return (int)count;
   }
+  /// <summary>Writes as many pairs that touch as there is room for, of one body; new Id() for those
+  /// of all. Returns how many there are.</summary>
+  public int Touching(Id id, Touch[] touches) {
+    uint count;
+    fixed (Touch* to = touches) {
+      Number.Check(C.detent_world3_touching(context.Memory, Handle, id, to, (uint)touches.Length, &count));
+    }
+    return (int)count;
+  }
+  /// <summary>Writes as many pairs that began or ceased to touch in the last step as there is room
+  /// for. Returns how many there are.</summary>
+  public int Events(Touch[] touches) {
+    uint count;
+    fixed (Touch* to = touches) {
+      Number.Check(C.detent_world3_events(context.Memory, Handle, to, (uint)touches.Length, &count));
+    }
+    return (int)count;
+  }
   public bool SetVelocity(Id id, Vec3 velocity) {
     return Number.Check(C.detent_world3_set_velocity(context.Memory, Handle, id, &velocity));
+  }
+  /// <summary>In radians per second, in steps of 2^-16.</summary>
+  public bool SetAngularVelocity(Id id, Vec3 velocity) {
+    return Number.Check(C.detent_world3_set_angular_velocity(context.Memory, Handle, id, (int*)&velocity));
+  }
+  /// <summary>Applies an impulse at the center of mass.</summary>
+  public bool ApplyImpulse(Id id, Vec3 impulse) {
+    return Number.Check(C.detent_world3_apply_impulse(context.Memory, Handle, id, &impulse, null));
   }
   public bool ApplyImpulse(Id id, Vec3 impulse, Vec3 at) {
     return Number.Check(C.detent_world3_apply_impulse(context.Memory, Handle, id, &impulse, &at));
   }
+  /// <summary>Applies a force at the center of mass during the next step.</summary>
+  public bool ApplyForce(Id id, Vec3 force) {
+    return Number.Check(C.detent_world3_apply_force(context.Memory, Handle, id, &force, null));
+  }
   public bool ApplyForce(Id id, Vec3 force, Vec3 at) {
     return Number.Check(C.detent_world3_apply_force(context.Memory, Handle, id, &force, &at));
   }
+  /// <summary>Applies a torque during the next step.</summary>
+  public bool ApplyTorque(Id id, Vec3 torque) {
+    return Number.Check(C.detent_world3_apply_torque(context.Memory, Handle, id, (int*)&torque));
+  }
+
+  /// <summary>Joins two bodies; see DefaultJoint. False if one does not exist or both are the
+  /// same.</summary>
+  public bool AddJoint(Joint3 joint, out Id id) {
+    fixed (Id* to = &id) return Number.Check(C.detent_world3_add_joint(context.Memory, Handle, &joint, to));
+  }
+  /// <summary>Replaces a joint by another of the same kind, such as that of GetJoint with another
+  /// motor.</summary>
+  public bool ChangeJoint(Id id, Joint3 joint) {
+    return Number.Check(C.detent_world3_change_joint(context.Memory, Handle, id, &joint));
+  }
+  public bool RemoveJoint(Id id) {
+    return Number.Check(C.detent_world3_remove_joint(context.Memory, Handle, id));
+  }
+  /// <summary>A joint as it was added or last changed.</summary>
+  public bool GetJoint(Id id, out Joint3 joint) {
+    fixed (Joint3* to = &joint) {
+      return Number.Check(C.detent_world3_joint(context.Memory, Handle, id, to));
+    }
+  }
+  /// <summary>The force of a joint on its body b in the last step.</summary>
+  public bool JointForce(Id id, out Vec3 force) {
+    fixed (Vec3* to = &force) {
+      return Number.Check(C.detent_world3_joint_force(context.Memory, Handle, id, to));
+    }
+  }
+  /// <summary>The torque on body b in the last step by a joint's motor, limits and alignment, without
+  /// that of its force.</summary>
+  public bool JointTorque(Id id, out Vec3 torque) {
+    fixed (Vec3* to = &torque) {
+      return Number.Check(C.detent_world3_joint_torque(context.Memory, Handle, id, (int*)to));
+    }
+  }
+  public int JointCount {
+    get {
+      uint count;
+      Number.Check(C.detent_world3_joint_count(context.Memory, Handle, &count));
+      return (int)count;
+    }
+  }
+  /// <summary>Writes as many ids of joints as there is room for. Returns how many there are, like
+  /// JointCount.</summary>
+  public int JointIds(Id[] ids) {
+    uint count;
+    fixed (Id* to = ids) {
+      Number.Check(C.detent_world3_joint_ids(context.Memory, Handle, to, (uint)ids.Length, &count));
+    }
+    return (int)count;
+  }
+  /// <summary>Writes as many ids of joints that broke in the last step, and so were removed, as there
+  /// is room for. Returns how many there are.</summary>
+  public int Broken(Id[] ids) {
+    uint count;
+    fixed (Id* to = ids) {
+      Number.Check(C.detent_world3_broken(context.Memory, Handle, to, (uint)ids.Length, &count));
+    }
+    return (int)count;
+  }
+  /// <summary>Converts a world point to a body's frame, for the anchor of a joint.</summary>
+  public bool LocalPoint(Id id, Vec3 point, out Vec3 local) {
+    fixed (Vec3* to = &local) {
+      return Number.Check(C.detent_world3_local_point(context.Memory, Handle, id, &point, to));
+    }
+  }
+  /// <summary>Converts world axes to a body's frame, for the frame of a joint.</summary>
+  public bool LocalFrame(Id id, Rotation3 axes, out Rotation3 local) {
+    fixed (Rotation3* to = &local) {
+      return Number.Check(C.detent_world3_local_frame(context.Memory, Handle, id, &axes, to));
+    }
+  }
+
   public int Size {
     get {
       uint size;
@@ -667,6 +974,10 @@ public unsafe class World3 {
     ulong digest;
     Number.Check(C.detent_world3_digest(context.Memory, Handle, &digest));
     return digest;
+  }
+  /// <summary>The digest of one body.</summary>
+  public bool DigestOf(Id id, out ulong digest) {
+    fixed (ulong* to = &digest) return Number.Check(C.detent_world3_digest_of(context.Memory, Handle, id, to));
   }
   public byte[] Snapshot() {
     uint size;
