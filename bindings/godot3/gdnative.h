@@ -25,7 +25,7 @@ typedef struct {
   const void* next;
   unsigned extension_count;
   const void* const* extensions;
-  void (*functions[600])(void);
+  void (*functions[744])(void);
 } godot_core;
 
 /* What the engine passes to a library on loading it. */
@@ -45,16 +45,22 @@ enum {
   POOL_BYTE_ARRAY_GET = 168,
   POOL_BYTE_ARRAY_SIZE = 169,
   POOL_BYTE_ARRAY_DESTROY = 170,
+  ARRAY_NEW = 323,
   ARRAY_OPERATOR_INDEX = 334,
+  ARRAY_APPEND = 336,
   ARRAY_SIZE = 356,
+  ARRAY_DESTROY = 361,
   VARIANT_GET_TYPE = 507,
   VARIANT_NEW_INT = 512,
+  VARIANT_NEW_ARRAY = 529,
   VARIANT_NEW_POOL_BYTE_ARRAY = 530,
   VARIANT_AS_INT = 539,
-  VARIANT_AS_POOL_BYTE_ARRAY = 557
+  VARIANT_AS_POOL_BYTE_ARRAY = 557,
+  VARIANT_DESTROY = 570,
+  PRINT_ERROR = 741
 };
 
 /* The types of variants. */
-enum { VARIANT_INT = 2, VARIANT_POOL_BYTE_ARRAY = 20 };
+enum { VARIANT_BOOL = 1, VARIANT_INT = 2, VARIANT_POOL_BYTE_ARRAY = 20 };
 
 #endif
