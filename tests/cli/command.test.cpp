@@ -298,8 +298,8 @@ void check_contacts(const std::string& out) {
 
 void check_bodies(const std::string& out) {
   for (const char* const row :
-       {"\nnear  q16_16         23      240       3       0  0.0000  0xc53b536eb15ceb49\n",
-        "\nfar   q16_16         23      240       3       0  0.0000  0x6acb0f5dab5db9c3\n"}) {
+       {"\nnear  q16_16         23      240       9       0  0.0000  0xfd524b044f37fe34\n",
+        "\nfar   q16_16         23      240       9       0  0.0000  0x6961ea63cc641684\n"}) {
     CHECK(out.find(row) != std::string::npos);
   }
   const auto far_row = out.find("\nfar   float          23      240 ");
