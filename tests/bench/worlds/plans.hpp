@@ -265,6 +265,8 @@ inline std::vector<Plan> all_plans() {
   plans.push_back(joint_grid(30));
   plans.push_back(ragdolls(20));
   plans.push_back(heap("10000 boxes", Kind::box, 25, 16, 25));
+  plans.push_back(heap("10000 balls", Kind::ball, 25, 16, 25));
+  plans.push_back(heap("10000 hulls", Kind::hull, 25, 16, 25));
   Plan asleep{"asleep"};
   asleep.ground(60);
   for (int i = 0; i < 1000; ++i) {
