@@ -1525,7 +1525,7 @@ DETENT_API detent_status detent_world2_events(const detent_context* context, det
                                                 detent_touch* events, uint32_t room,
                                                 uint32_t* count);
 
-/** A 64-bit digest of all bodies that are not fixed, their contacts and joints. */
+/** A 64-bit digest of gravity and all bodies that are not fixed, their contacts and joints. */
 DETENT_API detent_status detent_world2_digest(const detent_context* context, detent_handle world,
                                                 uint64_t* digest);
 
@@ -2282,7 +2282,7 @@ DETENT_API detent_status detent_world3_events(const detent_context* context, det
                                                 detent_touch* events, uint32_t room,
                                                 uint32_t* count);
 
-/** A 64-bit digest of all bodies that are not fixed, their contacts and joints. */
+/** A 64-bit digest of gravity and all bodies that are not fixed, their contacts and joints. */
 DETENT_API detent_status detent_world3_digest(const detent_context* context, detent_handle world,
                                                 uint64_t* digest);
 

@@ -23,7 +23,7 @@
 //   snapshot(world, room)   -> how many bytes, written when `room` holds them
 //   restore(world, bytes)   -> Restored: yes, or why the world is unchanged
 //   restore(world, bytes, lists...)   the same if bodies refer to hulls
-//   digest(world)           -> 64 bits of all bodies, contacts and joints
+//   digest(world)           -> 64 bits of gravity, all bodies, contacts and joints
 //   digest_of(world, id)    -> 64 bits of one body
 //
 // Version 3, all little-endian:

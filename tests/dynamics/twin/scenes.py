@@ -63,20 +63,18 @@ def build(n, lines):
     world.events = {}
     for words in lines:
         if words[0] == "at":
-            index = [] if words[2] == "gravity" else [int(words[3])]
-            event = (words[2], *index, words[3 + len(index):])
-            world.events.setdefault(int(words[1]), []).append(event)
+            world.events.setdefault(int(words[1]), []).append((words[2], words[3:]))
     world.num = num
     return world
 
 
 def step(world, tick):
     """Applies the scene's commands for this tick, then steps."""
-    for what, *subject, numbers in world.events.get(tick, ()):
+    for what, words in world.events.get(tick, ()):
         if what == "gravity":
-            world.set_gravity([world.num(x) for x in numbers])
+            world.set_gravity([world.num(x) for x in words])
             continue
-        index = subject[0]
+        index, numbers = int(words[0]), words[1:]
         if what == "remove":
             world.remove(index)
         elif what == "end":
