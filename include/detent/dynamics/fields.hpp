@@ -58,7 +58,7 @@ constexpr void for_each_field(const BodyField<Body>& field, const F& f) {
     with_type("push", body.push);
     with_type("twist", body.twist);
     with_type("drift", body.drift);
-    with_type("lean", body.lean);
+    with_type("anchor", to_array(body.anchor));
     with_type("sleeps", body.sleeps);
     with_type("quiet", body.quiet);
     with_type("motion", body.motion);

@@ -96,8 +96,9 @@ constexpr void move(BodyRecord<S, N, Shape>& body, Moving<S, N>& moving) noexcep
   if (body.can_move()) lock<S, N>(body.locked, moving.velocity, moving.spin);
   for (int i = 0; i < N; ++i) {
     auto& x = body.state.place[i];
-    x = saturate_to<typename F::Place>(x + moving.velocity[i]);
-    moving.shift[i] = saturate_to<typename F::Speed>(moving.shift[i] + moving.velocity[i]);
+    const auto to = saturate_to<typename F::Place>(x + moving.velocity[i]);
+    moving.shift[i] = saturate_to<typename F::Speed>(moving.shift[i] + (to - x));
+    x = to;
   }
   for (std::size_t i = 0; i < moving.spin.size(); ++i) {
     moving.turn[i] = saturate_to<typename F::Spin>(moving.turn[i] + moving.spin[i]);

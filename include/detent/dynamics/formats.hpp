@@ -19,6 +19,7 @@ struct Formats {
   using Spin = S;
   using Impulse = S;
   using Ratio = S;
+  using Anchor = S;
   using Lever = S;
   using Arm = S;
   using Moment = S;
@@ -50,6 +51,8 @@ struct Formats<Fixed<Bits, Frac>> {
   using Impulse = Fixed<31, Frac + 12>;
   /// A component of a unit vector, or a share of a whole. [-2, 2)
   using Ratio = Fixed<31, 30>;
+  /// A component of the orientation at which a body is held. [-2, 2)
+  using Anchor = Fixed<13, 12>;
   /// A length between two bodies. [-512, 512)
   using Lever = Fixed<31, Frac + 6>;
   /// A lever about the center of a body that can move. [-128, 128)

@@ -10,18 +10,71 @@
 // double too (a column of stiffness k per contact and spacing 1 buckles under its own weight at the
 // height (7.84 k / 4 w)^(1/3): A. G. Greenhill, 1881).
 
+//
+// The pose at which a body is held is one of a grid, so that a snapshot needs few bits for it.
+
 namespace detent::detail {
 
-/// Sets a support to the pose at which its body is held.
+/// n 2^-shift, rounded to nearest, ties to even.
+[[nodiscard]] constexpr std::int64_t shifted_nearest(std::int64_t n, int shift) noexcept {
+  if (shift == 0) return n;
+  return (n + (std::int64_t{1} << (shift - 1)) - 1 + (n >> shift & 1)) >> shift;
+}
+
+/// The number nearest to an orientation's component on the grid of held orientations.
+template <Scalar S>
+[[nodiscard]] constexpr typename Formats<S>::Anchor anchored(
+    const typename Formats<S>::Ratio& component) noexcept {
+  return nearest_to<typename Formats<S>::Anchor>(component);
+}
+
+/// The orientation at which a body is held.
 template <Scalar S, int N, class Shape>
-constexpr void hold_back(Support<S, N>& support, const BodyRecord<S, N, Shape>& body) noexcept {
-  using F = Formats<S>;
-  for (int i = 0; i < N; ++i) {
-    support.place[i] = saturate_to<typename F::Place>(body.state.place[i] - body.drift[i]);
+[[nodiscard]] constexpr auto held_orientation(const BodyRecord<S, N, Shape>& body) noexcept {
+  return from_array(unit_vector<typename Formats<S>::Ratio>(to_array(body.anchor))
+                        .value_or(to_array(body.state.orientation)));
+}
+
+/// How far a body has turned since it had the orientation `from`: twice the vector part of the
+/// quaternion of the turn; in 2D the sine of its angle.
+///
+/// Components of orientations are at most 1, so sums of four products fit 62 bits.
+template <Scalar S, int N, class Shape>
+[[nodiscard]] constexpr Axial<typename Formats<S>::Spin, N> turn_since(
+    const BodyRecord<S, N, Shape>& body,
+    const Vec<typename Formats<S>::Ratio, BodyState<S, N>::orientation_size>& from) noexcept {
+  using Spin = typename Formats<S>::Spin;
+  const auto& q = body.state.orientation;
+  if constexpr (N == 2) {
+    return {nearest_to<Spin>(narrow<62>(cross(from, q)))};
+  } else {
+    const auto part = [&](int i, int j, int k) {
+      const auto turn =
+          narrow<62>((from.w * q[i] - q.w * from[i]) - (q[j] * from[k] - q[k] * from[j]));
+      return nearest_to<Spin>(turn + turn);
+    };
+    return {part(0, 1, 2), part(1, 2, 0), part(2, 0, 1)};
   }
-  auto back = body.lean;
-  for (auto& w : back) w = saturate_to<typename F::Spin>(-w);
-  support.axes = axes_of<S, N>(turned<S, N>(body.state.orientation, back));
+}
+
+/// How far a body has turned since it was held.
+template <Scalar S, int N, class Shape>
+[[nodiscard]] constexpr Axial<typename Formats<S>::Spin, N> lean_of(
+    const BodyRecord<S, N, Shape>& body) noexcept {
+  if (!body.is_held()) return {};
+  return turn_since(body, held_orientation(body));
+}
+
+/// Sets a support to the pose at which its body is held; returns how far it has turned since.
+template <Scalar S, int N, class Shape>
+constexpr Axial<typename Formats<S>::Spin, N> hold_back(
+    Support<S, N>& support, const BodyRecord<S, N, Shape>& body) noexcept {
+  for (int i = 0; i < N; ++i) {
+    support.place[i] = saturate_to<typename Formats<S>::Place>(body.state.place[i] - body.drift[i]);
+  }
+  const auto at = held_orientation(body);
+  support.axes = axes_of<S, N>(at);
+  return turn_since(body, at);
 }
 
 /// Sets a support to the current pose of its body.
@@ -35,7 +88,11 @@ constexpr void let_go(Support<S, N>& support, const BodyRecord<S, N, Shape>& bod
 template <Scalar S, int N, class Shape>
 [[nodiscard]] constexpr Support<S, N> held_support(const BodyRecord<S, N, Shape>& body) noexcept {
   Support<S, N> support;
-  body.is_held() ? hold_back(support, body) : let_go(support, body);
+  if (body.is_held()) {
+    hold_back(support, body);
+  } else {
+    let_go(support, body);
+  }
   return support;
 }
 
@@ -49,44 +106,65 @@ template <Number T>
   return abs(v.x) + abs(v.y) + abs(v.z);
 }
 
-/// A bound, rounded to nearest, on how far any point of the body is from where it is held.
+/// A bound, rounded to nearest, on how far any point of a body is from where it is held, for a body
+/// that has turned by `lean` since then.
 template <Scalar S, int N, class Shape>
 [[nodiscard]] constexpr typename Formats<S>::Lever slack_of(
-    const BodyRecord<S, N, Shape>& body) noexcept {
+    const BodyRecord<S, N, Shape>& body, const Axial<typename Formats<S>::Spin, N>& lean) noexcept {
   using Lever = typename Formats<S>::Lever;
   if (!body.is_held()) return {};
   const auto reach =
       saturate_to<Lever>(abs(body.reach.radius) + sum_of_magnitudes(body.reach.half_extents));
   const auto way = sum_of_magnitudes(body.drift);
   if constexpr (N == 2) {
-    return saturate_to<Lever>(way + reach * abs(body.lean[0]));
+    return saturate_to<Lever>(way + reach * abs(lean[0]));
   } else {
-    return saturate_to<Lever>(way + reach * sum_of_magnitudes(from_array(body.lean)));
+    return saturate_to<Lever>(way + reach * sum_of_magnitudes(from_array(lean)));
   }
 }
 
-/// Whether a body has moved and turned so little that it stays held.
+/// Whether a held body has moved and turned so little that it stays held.
 template <Scalar S, int N, class Shape>
 [[nodiscard]] constexpr bool is_within_hold(const BodyRecord<S, N, Shape>& body,
                                             const Pace<S, N>& pace) noexcept {
-  if (!body.is_held()) return true;
+  using Anchor = typename Formats<S>::Anchor;
+  constexpr Anchor most = fraction<Anchor>(1, N == 2 ? 128 : 256);
   for (int i = 0; i < N; ++i) {
     if (abs(body.drift[i]) > pace.hold) return false;
   }
-  for (const auto& w : body.lean) {
-    if (abs(w) > pace.hold_turn) return false;
+  for (int i = 0; i < BodyState<S, N>::orientation_size; ++i) {
+    if (abs(anchored<S>(body.state.orientation[i]) - body.anchor[i]) > most) return false;
   }
   return pace.hold > 0;
 }
 
-/// Records how far an awake body has moved and turned since it was held; if that is too far, holds
-/// it at its current pose.
+/// Holds a body at the pose of the grid next to its own.
+template <Scalar S, int N, class Shape>
+constexpr void hold(BodyRecord<S, N, Shape>& body, const Pace<S, N>& pace) noexcept {
+  for (int i = 0; i < BodyState<S, N>::orientation_size; ++i) {
+    body.anchor[i] = anchored<S>(body.state.orientation[i]);
+  }
+  body.drift = {};
+  if constexpr (is_fixed<S>) {
+    using Speed = typename Formats<S>::Speed;
+    for (int i = 0; i < N; ++i) {
+      const auto x = std::int64_t{body.state.place[i].raw()};
+      const auto next = shifted_nearest(x, pace.hold_grid) << pace.hold_grid;
+      body.drift[i] = Speed::assume_raw(static_cast<typename Speed::raw_type>(x - next));
+    }
+  }
+}
+
+/// Notes how far a body that touches others has moved since it was held; if it is too far, or the
+/// body was not held, holds it at its current pose.
 template <Scalar S, int N, class Shape>
 constexpr void note_hold(BodyRecord<S, N, Shape>& body, const Moving<S, N>& moving,
                          const Pace<S, N>& pace) noexcept {
-  body.drift = moving.shift;
-  body.lean = moving.turn;
-  if (!is_within_hold(body, pace)) body.hold_here();
+  if (body.is_held()) {
+    body.drift = moving.shift;
+    if (is_within_hold(body, pace)) return;
+  }
+  hold(body, pace);
 }
 
 }  // namespace detent::detail

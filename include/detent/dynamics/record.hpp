@@ -23,14 +23,25 @@ struct Pace {
   typename F::Spin sleep_spin{};
   typename F::Lever margin{};
   typename F::Speed hold{};
-  typename F::Spin hold_turn{};
+  int hold_grid = 0;  // held positions are multiples of 2^hold_grid steps of Place
 };
+
+/// The exponent of the least power of two of which 1,023 are at least `hold`, in steps.
+template <Number T>
+[[nodiscard]] constexpr int hold_grid_of(const T& hold) noexcept {
+  int exponent = 0;
+  if constexpr (is_fixed<T>) {
+    while (std::int64_t{1023} << exponent < hold.raw()) ++exponent;
+  }
+  return exponent;
+}
 
 template <Scalar S, int N>
 [[nodiscard]] constexpr Pace<S, N> pace_of(const WorldSettings<S, N>& settings) noexcept {
   using F = Formats<S>;
   using Speed = typename F::Speed;
   const auto rate = settings.ticks_per_second * settings.substeps;
+  const auto hold = saturate_to<Speed>(settings.hold_distance);
   const auto per_substep = [&](const S& x) {
     return quotient_nearest<Speed>(x, as_operand<S>(rate));
   };
@@ -44,8 +55,8 @@ template <Scalar S, int N>
           per_substep(settings.sleep_speed),
           quotient_nearest<typename F::Spin>(settings.sleep_speed, as_operand<S>(rate)),
           nearest_to<typename F::Lever>(settings.margin),
-          saturate_to<Speed>(settings.hold_distance),
-          quotient_nearest<typename F::Spin>(as_operand<S>(1), as_operand<S>(128))};
+          hold,
+          hold_grid_of(hold)};
 }
 
 /// Whether a body is locked along an axis, by the bits of `AxisLock`.
@@ -102,8 +113,8 @@ struct BodyRecord {
   BodyState<S, N> state{};
   Vec<typename F::Speed, N> push{};  // gained from forces in each substep of the next tick
   Axial<typename F::Spin, N> twist{};
-  Vec<typename F::Speed, N> drift{};  // from where it is held
-  Axial<typename F::Spin, N> lean{};
+  Vec<typename F::Speed, N> drift{};                                    // from where it is held
+  Vec<typename F::Anchor, BodyState<S, N>::orientation_size> anchor{};  // held so; 0: not held
 
   // Derived from the others.
   typename MassProperties<S, N>::Formats::Mass mass{};
@@ -118,13 +129,10 @@ struct BodyRecord {
     return !(push == Vec<typename F::Speed, N>() && twist == Axial<typename F::Spin, N>());
   }
   /// Whether its contacts have the geometry of an earlier pose.
-  [[nodiscard]] constexpr bool is_held() const noexcept {
-    return !(drift == Vec<typename F::Speed, N>() && lean == Axial<typename F::Spin, N>());
-  }
-  /// Holds it where it is.
-  constexpr void hold_here() noexcept {
+  [[nodiscard]] constexpr bool is_held() const noexcept { return !(anchor == decltype(anchor)()); }
+  constexpr void let_go() noexcept {
     drift = {};
-    lean = {};
+    anchor = {};
   }
 };
 

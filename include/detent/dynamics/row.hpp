@@ -17,7 +17,7 @@ struct Moving {
 
   Vec<typename F::Speed, N> velocity{};
   Axial<typename F::Spin, N> spin{};
-  Vec<typename F::Speed, N> shift{};  // since the start of the tick; clamped
+  Vec<typename F::Speed, N> shift{};  // since it was held, or the start of the tick; clamped
   Axial<typename F::Spin, N> turn{};
 };
 

@@ -9,6 +9,7 @@
 
 #include "detent/dynamics/asset_body.hpp"
 #include "detent/dynamics/fields.hpp"
+#include "detent/dynamics/held_bytes.hpp"
 #include "detent/dynamics/hold.hpp"
 #include "detent/dynamics/joint/bytes.hpp"
 #include "detent/dynamics/rolling.hpp"
@@ -26,15 +27,15 @@
 //   digest(world)           -> 64 bits of gravity, all bodies, contacts and joints
 //   digest_of(world, id)    -> 64 bits of one body
 //
-// Version 3, all little-endian:
+// Version 4, all little-endian:
 // * a header of 64 bytes;
 // * gravity;
 // * each body that is not fixed, in order of index: a word of its index (bits 0 to 19), its quiet
 //   ticks (20 to 27), whether it sleeps (28), whether its properties are those of the body before it
-//   (29), whether forces or torques act on it (30) and whether it has moved from where it is held
-//   (31); generation (4 bytes); place, orientation, velocity, spin: 72 bytes in 3D with Q16.16; if
-//   forces or torques act, their change of velocity and spin in each substep of the next tick; if it
-//   is held, how far it has moved and turned. Unless bit 29 is set, its properties follow: motion
+//   (29), whether forces or torques act on it (30) and whether it is held (31); generation (4
+//   bytes); place, orientation, velocity, spin: 72 bytes in 3D with Q16.16; if forces or torques act,
+//   their change of velocity and spin in each substep of the next tick. The places of held bodies
+//   have the form of `held_bytes.hpp`. Unless bit 29 is set, the body's properties follow: motion
 //   (1; plus 4 if the byte of locked axes follows, plus 8 if rolling resistance does), layers,
 //   layers that it meets (4 each), user word (8), density, friction, restitution, damping of
 //   velocity and spin, shape type (1), the numbers of the shape (of a hull or a surface its id (4),
@@ -60,8 +61,8 @@ namespace detent {
 
 namespace detail {
 
-/// The first 64 bytes of a snapshot: "DTNW", version 3.
-struct WorldHeader : SnapshotStart<0x574e5444u, 3, 64> {
+/// The first 64 bytes of a snapshot: "DTNW", version 4.
+struct WorldHeader : SnapshotStart<0x574e5444u, 4, 64> {
   std::uint16_t shapes = 0, kinds = 0;  // of shapes and of joints, a bit each
   std::uint32_t next_generation = 0, bodies = 0, contacts = 0, fixed = 0;
   std::uint32_t next_joint = 0, joints = 0;
@@ -103,17 +104,20 @@ constexpr void describe_make(D& out, const Body& body) noexcept {
   if (has_rolling) out.add(body.rolling_resistance);
 }
 
-template <class D, class Body>
-constexpr void describe_state(D& out, const Body& body) noexcept {
-  out.add(body.state.place, body.state.orientation, body.state.velocity);
+/// Appends the state of a body of a world of this pace.
+template <class D, Scalar S, int N, class Shape>
+constexpr void describe_state(D& out, const BodyRecord<S, N, Shape>& body,
+                              const Pace<S, N>& pace) noexcept {
+  if (body.is_held()) {
+    HeldPlace<S, N>(body, pace.hold_grid).add_to(out);
+  } else {
+    out.add(body.state.place);
+  }
+  out.add(body.state.orientation, body.state.velocity);
   for (const auto& w : body.state.spin) out.add(w);
   if (body.is_pushed()) {
     out.add(body.push);
     for (const auto& w : body.twist) out.add(w);
-  }
-  if (body.is_held()) {
-    out.add(body.drift);
-    for (const auto& w : body.lean) out.add(w);
   }
 }
 
@@ -172,7 +176,7 @@ constexpr void describe_world(D& out, const World& world) noexcept {
                     (body.is_pushed() ? std::uint32_t{1} << 30 : 0u) |
                     (body.is_held() ? std::uint32_t{1} << 31 : 0u),
                 body.generation);
-        describe_state(out, body);
+        describe_state(out, body, WorldAccess::pace(world));
         if (!alike) describe_make(out, body);
       });
   const auto& contacts = WorldAccess::contacts(world);
@@ -189,15 +193,16 @@ struct FixedBodies {
   std::uint32_t count = 0;
   std::uint64_t digest = 0;
 };
-template <class Bodies>
-[[nodiscard]] constexpr FixedBodies fixed_bodies(const Bodies& bodies) noexcept {
+template <class World>
+[[nodiscard]] constexpr FixedBodies fixed_bodies(const World& world) noexcept {
+  const auto& bodies = WorldAccess::bodies(world);
   FixedBodies result;
   Digest digest;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i].generation == 0 || bodies[i].motion != BodyMotion::fixed) continue;
     ++result.count;
     digest.add(static_cast<std::uint32_t>(i), bodies[i].generation);
-    describe_state(digest, bodies[i]);
+    describe_state(digest, bodies[i], WorldAccess::pace(world));
     describe_make(digest, bodies[i]);
   }
   result.digest = digest.value();
@@ -221,7 +226,7 @@ template <class Storage, Scalar S, int N, class... Parts>
   header.next_generation = WorldAccess::next(world);
   header.contacts = static_cast<std::uint32_t>(WorldAccess::contacts(world).size());
   const auto& bodies = WorldAccess::bodies(world);
-  const auto fixed = fixed_bodies(bodies);
+  const auto fixed = fixed_bodies(world);
   header.fixed = fixed.count;
   header.fixed_digest = fixed.digest;
   for_each_loose(bodies, [&](const auto&, std::uint32_t, const auto*) { ++header.bodies; });
@@ -339,7 +344,15 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
     body.generation = generation;
     body.quiet = static_cast<std::uint8_t>(word >> 20);
     body.sleeps = (word >> 28 & 1) != 0;
-    in.get(body.state.place, body.state.orientation, body.state.velocity);
+    body.let_go();
+    const bool is_held = word >> 31 != 0;
+    HeldPlace<S, N> held;
+    if (is_held) {
+      held.get_from(in);
+    } else {
+      in.get(body.state.place);
+    }
+    in.get(body.state.orientation, body.state.velocity);
     for (auto& w : body.state.spin) in.get(w);
     body.push = {};
     body.twist = {};
@@ -348,21 +361,18 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
       in.get(body.push);
       for (auto& w : body.twist) in.get(w);
     }
-    body.hold_here();
-    const bool is_held = word >> 31 != 0;
-    if (is_held) {
-      in.get(body.drift);
-      for (auto& w : body.lean) in.get(w);
+    if (in.has_failed() || !is_unit(to_array(body.state.orientation)) ||
+        (is_held && !held.set(body, pace.hold_grid))) {
+      return Restored::corrupted;
     }
-    if (in.has_failed() || !is_unit(to_array(body.state.orientation))) return Restored::corrupted;
     if (!alike) {
       const auto said = read_make(in, body, assets);
       if (said != Restored::yes) return said;
       if (has_before && is_made_like(body, bodies[before])) return Restored::corrupted;
       derive(body, pace.rate);
     }
-    if (body.is_pushed() != is_pushed || body.is_held() != is_held ||
-        ((is_pushed || is_held) && !body.can_move()) || !is_within_hold(body, pace)) {
+    if (body.is_pushed() != is_pushed || ((is_pushed || is_held) && !body.can_move()) ||
+        (is_held && !is_within_hold(body, pace))) {
       return Restored::corrupted;
     }
     before = i;
@@ -493,7 +503,7 @@ template <class Storage, Scalar S, int N, class... Shapes>
 struct WholeDigest<BasicWorld<Storage, S, N, Shapes...>> {
   static constexpr void add(Digest& all, Digest& fixed,
                             const BasicWorld<Storage, S, N, Shapes...>& world) noexcept {
-    const auto bodies = fixed_bodies(WorldAccess::bodies(world));
+    const auto bodies = fixed_bodies(world);
     all.add(world, bodies.count, bodies.digest);
     fixed.add(bodies.count, bodies.digest);
   }
@@ -509,7 +519,7 @@ template <class Storage, Scalar S, int N, class... Shapes>
   const auto& body = detail::WorldAccess::bodies(world)[id.index];
   Digest digest;
   digest.add(id, body.quiet, body.sleeps);
-  detail::describe_state(digest, body);
+  detail::describe_state(digest, body, detail::WorldAccess::pace(world));
   detail::describe_make(digest, body);
   return digest.value();
 }

@@ -81,7 +81,12 @@ class Tick {
     touch(bodies, contacts, margin, pace.margin, threads);
     wake(bodies, joints);
     const bool is_still = !has_fast && stands_still(bodies) && have_stayed(contacts);
-    for (std::size_t i = 0; i < moving_.size(); ++i) moving_[i] = moving_of(bodies[i]);
+    for (std::size_t i = 0; i < moving_.size(); ++i) {
+      moving_[i] = motion_of(bodies[i]);
+      if (!are_held_) continue;
+      moving_[i].shift = bodies[i].drift;
+      moving_[i].turn = leans_[i];
+    }
     const bool has_rolling = has_round && resist_rolling(bodies);
     are_grouped_ = has_groups && runs_vectors() && !has_rolling;  // groups have no rows for rolling
     const auto ends = order(bodies);
@@ -138,8 +143,9 @@ class Tick {
     const Body &a = bodies[pair.a], &b = bodies[pair.b];
     const auto held_a = held_support(a), held_b = held_support(b);
     PairSearch search;
-    touch_pair(bodies, {pair.a, held_a, held_b}, pair, slack_of(a) + slack_of(b), contacts, first,
-               reach, margin, search);
+    touch_pair(bodies, {pair.a, held_a, held_b}, pair,
+               slack_of(a, lean_of(a)) + slack_of(b, lean_of(b)), contacts, first, reach, margin,
+               search);
     for (std::size_t i = 0; i < search.contacts.size(); ++i) {
       const auto& contact = search.contacts[i];
       if (!contact.touches || is_sensed(bodies, contact)) continue;
@@ -353,7 +359,7 @@ class Tick {
     for (int k = 0; k < N; ++k) {
       if (!is_locked(body.locked, k)) body.state.place[k] = place[k];
     }
-    body.hold_here();
+    body.let_go();
     body.sleeps = false;
     body.quiet = 0;
   }
@@ -1111,9 +1117,11 @@ class Tick {
   constexpr void hold_back(const Bodies& bodies, Supports& held) {
     if (!are_held_) return;
     slacks_.resize(bodies.size());
+    leans_.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-      slacks_[i] = slack_of(bodies[i]);
-      if (bodies[i].is_held()) detail::hold_back(held[i], bodies[i]);
+      leans_[i] = {};
+      if (bodies[i].is_held()) leans_[i] = detail::hold_back(held[i], bodies[i]);
+      slacks_[i] = slack_of(bodies[i], leans_[i]);
     }
   }
   /// Sets them to the current poses.
@@ -1143,7 +1151,7 @@ class Tick {
   /// Records the rates of a contact that bounces, at the start of the tick.
   constexpr void note_closing(const Bodies& bodies, ReadyContact<S, N>& ready) const noexcept {
     if (ready.bounce == 0) return;
-    const auto a = moving_of(bodies[ready.a]), b = moving_of(bodies[ready.b]);
+    const auto a = motion_of(bodies[ready.a]), b = motion_of(bodies[ready.b]);
     for (std::size_t k = 0; k < ready.count; ++k) {
       ready.closing[k] = rate_along<S, N>(ready.normal.along, ready.pressure[k], a.velocity, a.spin,
                                           b.velocity, b.spin);
@@ -1309,7 +1317,7 @@ class Tick {
         if (used_[i] != 0) {
           note_hold(body, moving_[i], pace);
         } else {
-          body.hold_here();  // nothing touches it
+          body.let_go();  // nothing touches it
         }
       }
       body.push = {};
@@ -1353,13 +1361,12 @@ class Tick {
     return true;
   }
 
-  static constexpr Moving<S, N> moving_of(const Body& body) noexcept {
+  /// The velocities of a body at the start of the tick.
+  static constexpr Moving<S, N> motion_of(const Body& body) noexcept {
     Moving<S, N> moving;
     if (body.generation == 0 || body.motion == BodyMotion::fixed) return moving;
     moving.velocity = body.state.velocity;
     moving.spin = body.state.spin;
-    moving.shift = body.drift;
-    moving.turn = body.lean;
     return moving;
   }
   static constexpr bool is_awake(const Body& body) noexcept {
@@ -1390,7 +1397,8 @@ class Tick {
   List<Support<S, N>, 0> held_;               // for worlds that process four contacts at once
   List<Standing<S, N>, bodies_room> starts_;  // empty without a fast body
   List<ContactKey, passes_room> passes_;
-  List<typename F::Lever, bodies_room> slacks_;  // of bodies, if they may be held
+  List<typename F::Lever, bodies_room> slacks_;          // of bodies, if they may be held
+  List<Axial<typename F::Spin, N>, bodies_room> leans_;  // how far these have turned since
   List<Moving<S, N>, bodies_room> moving_;
   List<Axes<S, N>, bodies_room> half_way_;  // the axes at the middle of the substep
   List<SweepEntry<S, N>, bodies_room> swept_;

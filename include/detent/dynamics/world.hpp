@@ -686,7 +686,7 @@ class BasicWorld {
   /// Wakes a body that was moved, and those that it touched or is joined to.
   constexpr void disturb(std::uint32_t index) noexcept {
     rouse_touched(index);
-    bodies_[index].hold_here();
+    bodies_[index].let_go();
     for_each_contact_of(index, [&](auto& contact) {
       contact.pressure = {};
       contact.friction = {};

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "detent/dynamics/contact.hpp"
+#include "detent/dynamics/hold.hpp"
 #include "detent/dynamics/settings.hpp"
 
 namespace detent {
@@ -77,6 +78,7 @@ constexpr void describe(WorldContact<S, N>& out, const Body& a, const Body& b,
     }
   };
   out.count = static_cast<std::size_t>(manifold.count);
+  const auto lean_a = lean_of(a), lean_b = lean_of(b);
   for (std::size_t i = 0; i < out.count; ++i) {
     const auto& from = manifold.points[i];
     const auto arm = out_of_axes<S, N>(at_a.axes, from.point);
@@ -85,7 +87,7 @@ constexpr void describe(WorldContact<S, N>& out, const Body& a, const Body& b,
         [&](int k) { return saturate_to<S>(a.state.place[k] + to_world(from.point, k)); });
     point.separation =
         saturate_to<S>(from.separation + dot(n, b.drift - a.drift) +
-                       (along_turn(arm - from_a_to_b, b.lean) - along_turn(arm, a.lean)));
+                       (along_turn(arm - from_a_to_b, lean_b) - along_turn(arm, lean_a)));
     point.impulse = momentum_of<S>(a, b, contact.pressure[i], rate);
     point.feature = from.feature;
   }

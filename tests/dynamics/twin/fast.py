@@ -132,7 +132,7 @@ def stop_all(world, starts):
 
 def stop(b, x):
     b.x = [old if no else new for old, new, no in zip(b.x, x, b.locked_v)]
-    b.drift, b.lean = [0] * len(b.v), [0] * len(b.w)
+    b.drift, b.anchor = [0] * len(b.v), [0] * len(b.q)
     b.sleeps, b.quiet = False, 0
 
 

@@ -20,7 +20,7 @@ def field_of(line, i, n):
     words = line.split()
     if words[0] == "body":
         count = {"place": n, "orientation": 2 if n == 2 else 4, "velocity": n,
-                 "spin": 1 if n == 2 else 3, "drift": n, "lean": 1 if n == 2 else 3, "quiet": 1, "sleeps": 1}
+                 "spin": 1 if n == 2 else 3, "drift": n, "anchor": 2 if n == 2 else 4, "quiet": 1, "sleeps": 1}
         names = ["body", "index"]
     elif words[0] == "event":
         count, names = {}, ["event", "a", "b", "part of a", "part of b", "begins"]

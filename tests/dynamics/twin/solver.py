@@ -268,8 +268,8 @@ class Solver:
             if b.motion == "kinematic" and any(b.v + b.w) or b.can_move and not b.sleeps:
                 if b.can_move:
                     self.lock(b)
-                b.x = [f.place.clamp(x + v) for x, v in zip(b.x, b.v)]
-                b.D = [f.speed.clamp(x + v) for x, v in zip(b.D, b.v)]
+                before, b.x = b.x, [f.place.clamp(x + v) for x, v in zip(b.x, b.v)]
+                b.D = [f.speed.clamp(d + x - y) for d, x, y in zip(b.D, b.x, before)]
                 b.E = [f.spin.clamp(x + w) for x, w in zip(b.E, b.w)]
                 b.q = turned(b.q, b.w)
                 if b.can_move and not b.is_round:

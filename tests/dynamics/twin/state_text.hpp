@@ -37,7 +37,7 @@ void print_state(const World& world) {
     for (int k = 0; k < N; ++k) std::cout << ' ' << body.state.velocity[k].raw();
     for (const auto& w : body.state.spin) std::cout << ' ' << w.raw();
     for (int k = 0; k < N; ++k) std::cout << ' ' << body.drift[k].raw();
-    for (const auto& w : body.lean) std::cout << ' ' << w.raw();
+    for (int k = 0; k < (N == 2 ? 2 : 4); ++k) std::cout << ' ' << body.anchor[k].raw();
     std::cout << ' ' << int{body.quiet} << ' ' << body.sleeps << '\n';
   }
   const auto& contacts = detail::WorldAccess::contacts(world);

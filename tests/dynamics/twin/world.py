@@ -5,7 +5,7 @@ import fast
 import solver
 import terrain
 from compound import out_of_part, placed_parts
-from fixed import Formats, cross, dot, ratio
+from fixed import Formats, cross, dot, ratio, round_div, round_shift, unit
 from manifold import combine, manifold, placed
 
 
@@ -29,7 +29,9 @@ class World:
         self.sleep_spin = f.spin.quotient(settings["sleep"], rate, f.F)
         self.margin_raw = settings["margin"]
         self.margin = f.lever.near(settings["margin"], f.F)
-        self.hold, self.hold_turn = f.speed.near(settings["hold"], f.F), 1 << 21
+        self.hold, self.grid = f.speed.near(settings["hold"], f.F), 1
+        while 1023 * self.grid < self.hold:
+            self.grid *= 2
         self.bodies, self.contacts, self.joints = [], {}, []  # None for a removed joint
         self.touch_events = []
         self.set_gravity(settings["gravity"])
@@ -56,7 +58,7 @@ class World:
         b.gravity_scale = options["gravity_scale"]
         self.attract(b)
         b.push, b.twist = [0] * self.n, [0] * len(b.w)
-        b.drift, b.lean = [0] * self.n, [0] * len(b.w)
+        b.drift, b.anchor = [0] * self.n, [0] * len(b.q)
         bodies.set_mass(f, self.n, b, options["density"])
         self.bodies.append(b)
 
@@ -90,7 +92,7 @@ class World:
             b.x = [self.f.place.near(x, self.f.F) for x in place]
         if q and not (b.shape.kind == "surface" and b.shape.is_solid):
             b.q = list(q)
-        b.drift, b.lean = [0] * self.n, [0] * len(b.w)
+        b.drift, b.anchor = [0] * self.n, [0] * len(b.q)
         self.rouse([index])
         for key, c in self.contacts.items():
             if index in key[:2]:
@@ -225,10 +227,21 @@ class World:
     def hold_back(self):
         """Puts held bodies where they are held, until `let_go`."""
         f = self.f
-        self.held = [(b, b.x, b.axes) for b in self.bodies if any(b.drift + b.lean)]
+        self.held = [(b, b.x, b.axes) for b in self.bodies if any(b.anchor)]
+        for b in self.bodies:
+            b.lean = [0] * len(b.w)
         for b, x, _ in self.held:
             b.x = [f.place.clamp(y - d) for y, d in zip(x, b.drift)]
-            b.axes = bodies.axes(bodies.turned(b.q, [f.spin.clamp(-w) for w in b.lean]))
+            u = unit(b.anchor)
+            b.axes, b.lean = bodies.axes(u), self.lean(u, b.q)
+
+    def lean(self, u, q):
+        """The turn from u to q."""
+        near = self.f.spin.near
+        if self.n == 2:
+            return [near(u[0] * q[1] - u[1] * q[0], 60)]
+        return [near(2 * (u[3] * q[i] - q[3] * u[i] - q[j] * u[k] + q[k] * u[j]), 60)
+                for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1))]
 
     def let_go(self):
         for b, x, A in self.held:
@@ -236,18 +249,24 @@ class World:
 
     def slack(self, b):
         f = self.f
-        lean = sum(map(abs, b.lean))
-        if not lean and not any(b.drift):
+        if not any(b.anchor):
             return 0
+        lean = sum(map(abs, b.lean))
         radius, reach = b.shape.radius_raw, b.shape.reach
         reach = f.lever.near(abs(radius) + sum(map(abs, reach)), f.F)
         return f.lever.near((sum(map(abs, b.drift)) << 22) + reach * lean, f.F + 34)
 
     def note_hold(self, b, touched):
-        near = all(abs(x) <= self.hold for x in b.D) and all(abs(w) <= self.hold_turn for w in b.E)
-        stays = touched and near
-        b.drift = list(b.D) if stays else [0] * len(b.v)
-        b.lean = list(b.E) if stays else [0] * len(b.w)
+        if not touched:
+            b.drift, b.anchor = [0] * len(b.v), [0] * len(b.q)
+            return
+        at, most = [round_shift(x, 18) for x in b.q], 32 if self.n == 2 else 16
+        if any(b.anchor) and all(abs(x) <= self.hold for x in b.D) and all(
+                abs(x - y) <= most for x, y in zip(at, b.anchor)):
+            b.drift = list(b.D)
+        else:
+            b.anchor = at
+            b.drift = [x - self.grid * round_div(x, self.grid) for x in b.x]
 
     # 3. Contacts
 
@@ -402,7 +421,7 @@ class World:
         for i, b in enumerate(self.bodies):
             if b.motion == "none":
                 continue
-            yield " ".join(map(str, ["body", i, *b.x, *b.q, *b.v, *b.w, *b.drift, *b.lean,
+            yield " ".join(map(str, ["body", i, *b.x, *b.q, *b.v, *b.w, *b.drift, *b.anchor,
                                      b.quiet, int(b.sleeps)]))
         for key, c in sorted(self.contacts.items()):
             points = [x for p in zip(c.feature, c.pressure) for x in p]
