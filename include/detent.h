@@ -546,9 +546,9 @@ typedef struct detent_joint2 {
   int32_t lower;                /**< an angle for a hinge or a cone, otherwise a length */
   int32_t upper;
   int32_t motor_speed;          /**< hinge, slider, wheel */
-  int32_t motor_force;          /**< greatest force, or torque of hinge and wheel; not for balls */
-  int32_t length;               /**< rest length of the spring: distance, slider, wheel */
-  int32_t frequency;            /**< of the spring, in Hz; 0: none. Distance, ball, slider, wheel */
+  int32_t motor_force;          /**< greatest force, or torque of hinge and wheel */
+  int32_t length;               /**< of the spring at rest: distance, slider, wheel; hinge: its angle */
+  int32_t frequency;            /**< of the spring, in Hz; 0: none. Not for cones */
   int32_t damping_ratio;        /**< 65536 is critical damping */
   int32_t cone_angle;           /**< cone: greatest angle between both axes 2; 0: any */
 } detent_joint2;
@@ -824,9 +824,9 @@ typedef struct detent_joint3 {
   int32_t lower;                /**< an angle for a hinge or a cone, otherwise a length */
   int32_t upper;
   int32_t motor_speed;          /**< hinge, slider, wheel */
-  int32_t motor_force;          /**< greatest force, or torque of hinge and wheel; not for balls */
-  int32_t length;               /**< rest length of the spring: distance, slider, wheel */
-  int32_t frequency;            /**< of the spring, in Hz; 0: none. Distance, ball, slider, wheel */
+  int32_t motor_force;          /**< greatest force, or torque of hinge and wheel */
+  int32_t length;               /**< of the spring at rest: distance, slider, wheel; hinge: its angle */
+  int32_t frequency;            /**< of the spring, in Hz; 0: none. Not for cones */
   int32_t damping_ratio;        /**< 65536 is critical damping */
   int32_t cone_angle;           /**< cone: greatest angle between both axes 2; 0: any */
 } detent_joint3;

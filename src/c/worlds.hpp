@@ -665,6 +665,7 @@ struct Worlds {
     if constexpr (requires { joint.motor_force; }) f(joint.motor_force, given.motor_force);
     if constexpr (requires { joint.max_force; }) f(joint.max_force, given.motor_force);
     if constexpr (requires { joint.length; }) f(joint.length, given.length);
+    if constexpr (requires { joint.angle; }) f(joint.angle, given.length);
     if constexpr (requires { joint.frequency; }) {
       f(joint.frequency, given.frequency);
       f(joint.damping_ratio, given.damping_ratio);

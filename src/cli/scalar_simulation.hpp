@@ -506,6 +506,7 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
       set(joint.most, model.most, "most");
     }
     if constexpr (requires { joint.length; }) set(joint.length, model.length, "length");
+    if constexpr (requires { joint.angle; }) set(joint.angle, model.angle, "angle");
     if constexpr (requires { joint.frequency; }) {
       set(joint.frequency, model.frequency, "frequency");
       set(joint.damping_ratio, model.damping_ratio, "damping_ratio");

@@ -423,6 +423,7 @@ class WorldReader : private JsonFields {
     joint.least = maybe_positive(node, "least");
     joint.most = maybe_positive(node, "most");
     joint.length = maybe(node, "length");
+    joint.angle = maybe(node, "angle");
     joint.frequency = maybe_positive(node, "frequency");
     joint.damping_ratio = maybe_positive(node, "damping_ratio");
     joint.max_force = maybe_positive(node, "max_force");
@@ -463,11 +464,12 @@ class WorldReader : private JsonFields {
       return JointKind::cone;
     }
     if (type.text == "hinge") {
-      allow({"rotation", "limits", "motor_speed", "motor_torque"});
+      allow({"rotation", "limits", "motor_speed", "motor_torque", "angle", "frequency",
+             "damping_ratio"});
       return JointKind::hinge;
     }
     if (type.text == "weld") {
-      allow({"rotation"});
+      allow({"rotation", "frequency", "damping_ratio"});
       return JointKind::weld;
     }
     if (type.text == "slider") {

@@ -282,7 +282,7 @@ Fields fields_of(const Case& c) {
       say("least", joint.least);
       say("most", joint.most);
     }
-    if constexpr (requires { joint.frequency; }) {
+    if constexpr (draws_spring<Joint>) {
       say("frequency", joint.frequency);
       say("damping ratio", joint.damping_ratio);
     }

@@ -109,11 +109,16 @@ struct Twins : WorldTwins<N> {
       case DETENT_HINGE_JOINT: {
         HingeJoint<S, N> joint;
         limit(joint);
+        spring(joint);
+        joint.angle = raw(given.length);
         joint.motor_torque = raw(given.motor_force);
         return fill(joint);
       }
-      case DETENT_WELD_JOINT:
-        return fill(WeldJoint<S, N>());
+      case DETENT_WELD_JOINT: {
+        WeldJoint<S, N> joint;
+        spring(joint);
+        return fill(joint);
+      }
       case DETENT_SLIDER_JOINT: {
         SliderJoint<S, N> joint;
         limit(joint);

@@ -162,6 +162,36 @@ TEST_CASE("detent simulate: worlds have their golden digests") {
   CHECK(digest_of(pyramid.back()) == "0x889e1046d64730fe");
 }
 
+TEST_CASE("detent simulate: hinges and welds have springs") {
+  const Workshop shop;
+  const auto world = [](const std::string& of_hinge, const std::string& of_weld) {
+    return R"({"settings": {"gravity": [0, 0, 0], "sleep_speed": 0}, "bodies": [
+  {"id": "wall", "type": "sphere", "center": [0, 0, 0], "radius": 0.1, "motion": "fixed"},
+  {"id": "arm", "type": "obb", "center": [1, 0, 0], "half_extents": [1, 0.1, 0.1]},
+  {"id": "hand", "type": "obb", "center": [3, 0, 0], "half_extents": [1, 0.1, 0.1],
+   "angular_velocity": [0, 0, 1]}],
+  "joints": [{"type": "hinge", "a": "wall", "b": "arm", "at": [0, 0, 0])" +
+           of_hinge + R"(}, {"type": "weld", "a": "arm", "b": "hand", "at": [2, 0, 0])" + of_weld +
+           "}]}";
+  };
+  const std::string spring = R"(, "frequency": 4, "damping_ratio": 0.7)";
+  const auto digest_after = [&](const std::string& text) {
+    shop.write("springs.json", text);
+    const auto result = shop.run("simulate springs.json --ticks 120 --every 120");
+    CHECK(result.err.empty());
+    REQUIRE(result.code == 0);
+    return digest_of(lines_of(result.out).back());
+  };
+  const auto rigid = digest_after(world("", ""));
+  const auto turned = digest_after(world(spring + ", \"angle\": 0.5", ""));
+  const auto bent = digest_after(world("", spring));
+  CHECK(rigid != turned);
+  CHECK(rigid != bent);
+  CHECK(turned != digest_after(world(spring + ", \"angle\": 0.25", "")));
+  shop.write("springs.json", world("", ", \"angle\": 1"));
+  CHECK(refuses(shop.run("simulate springs.json"), "springs.json:6:"));
+}
+
 TEST_CASE("detent simulate: the page on the tool shows the tool's output") {
   const std::string page = content_of(DETENT_DOCS "/tool.md");
   const auto section = page.substr(page.find("## Simulating"));

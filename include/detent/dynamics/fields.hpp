@@ -131,8 +131,9 @@ constexpr void for_each_field(const JointField<Record>& field, const F& f) {
     f(" b", joint.b.index);
     f(" collide", joint.collide);
     f(" has_limits", has_limits(joint));
-    for_each_number(joint,
-                    [&](const char* name, const auto& x) { f(FieldName(" ").add(name), x); });
+    const auto named = [&](const char* name, const auto& x) { f(FieldName(" ").add(name), x); };
+    for_each_number(joint, named);
+    for_each_spring_number(joint, named);
   });
 }
 

@@ -49,8 +49,9 @@
 //   friction: 52 bytes for four points in 3D; if the contact resists rolling, its rolling impulses.
 //   If both bodies are compounds, the part of b takes the bits of the triangle;
 // * each joint, in order of index: a word of its index (bits 0 to 20), whether its bodies collide
-//   (21), whether it has limits (22) and its kind (24 to 31); generation, index of a, index of b
-//   (4 bytes each); its numbers; the impulses of its pushes and turns;
+//   (21), whether it has limits (22), whether numbers of a spring follow that hinges and welds may
+//   have (23) and its kind (24 to 31); generation, index of a, index of b (4 bytes each); its
+//   numbers; the impulses of its pushes and turns;
 // * the XXH64 of all that.
 //
 // Equal worlds have equal bytes. Fixed bodies appear only as a digest: a world restores snapshots

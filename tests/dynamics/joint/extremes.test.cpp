@@ -54,7 +54,7 @@ void join_any(BasicWorld<Storage, S, N, Parts...>& world, const BodyId& a, const
   Joint joint;
   joint.a = a;
   joint.b = b;
-  detail::for_each_number(joint, [&]<class T>(const char*, T& x) {
+  const auto draw = [&]<class T>(const char*, T& x) {
     if constexpr (std::is_same_v<T, S>) {
       if (!random.one_in(4)) x = random.one_in(3) ? number.any() : number();
     } else if constexpr (std::is_same_v<T, Rotation<S, N>>) {
@@ -62,7 +62,9 @@ void join_any(BasicWorld<Storage, S, N, Parts...>& world, const BodyId& a, const
     } else {
       x = number.point();
     }
-  });
+  };
+  detail::for_each_number(joint, draw);
+  if (random.coin()) detail::for_each_spring_number(joint, draw);
   joint.collide = random.coin();
   if constexpr (requires { joint.has_limits; }) joint.has_limits = random.coin();
   (void)world.add(joint);

@@ -304,6 +304,102 @@ TEST_CASE("joint: welded boxes stay straight") {
   });
 }
 
+/// A box that a joint at its center turns about axis 2, without gravity.
+template <template <Scalar, int> class Joint, Scalar S, int N>
+struct Swinging {
+  using Kind = Joint<S, N>;
+  JointedWorld<S, N> world;
+  BodyId box{};
+  Kind joint;
+  JointId id{};
+
+  explicit Swinging(double start, double frequency, double damping_ratio = 0)
+      : world([] {
+          auto settings = sleepless<S, N>();
+          settings.gravity = {};
+          return settings;
+        }()) {
+    const auto wall = add_small_ball<S, N>(world, 0, 0, 0.1, fixed_body<S, N>());
+    box = add_box<S, N>(world, 0, 0, 1, 0.25);
+    const auto angle = Angle<S>::from_radians(num<S>(start));
+    if constexpr (N == 2) {
+      world.set_rotation(box, Rotation<S, 2>::from_angle(angle));
+    } else {
+      world.set_rotation(box, Rotation<S, 3>::from_axis_angle(Direction<S, 3>::along(2), angle));
+    }
+    joint.a = wall;
+    joint.b = box;
+    joint.frequency = num<S>(frequency);
+    joint.damping_ratio = num<S>(damping_ratio);
+    id = world.add(joint).value_or(no_joint);
+  }
+  double angle() const {
+    const auto axis = world.rotation(box).axis(0);
+    return std::atan2(static_cast<double>(axis[1]), static_cast<double>(axis[0]));
+  }
+};
+
+TEST_CASE("joint: springs of hinges and welds swing at their frequency about their angle") {
+  in_both_dimensions([](auto dimension) {
+    constexpr int N = decltype(dimension)::value;
+    CAPTURE(N);
+    const auto check = [](auto swinging, auto real, double middle) {
+      // At 2 Hz the angle from the middle is a cosine of period 30 ticks, but for the damping of
+      // implicit springs.
+      double most = 0, apart = 0;
+      for (int t = 1; t <= 60; ++t) {
+        swinging.world.step();
+        real.world.step();
+        const double angle = swinging.angle();
+        if (t % 15 == 0) {
+          const double side = t % 30 == 0 ? 1 : -1;
+          CAPTURE(t, angle, middle);
+          CHECK((angle - middle) * side > 0.25);
+          CHECK((angle - middle) * side < 0.5);
+        }
+        most = (std::max)(most, std::fabs(angle - middle));
+        apart = (std::max)(apart, std::fabs(angle - real.angle()));
+      }
+      CHECK(most < 0.5);
+      CHECK(apart < 1e-5);
+    };
+    check(Swinging<WeldJoint, q16_16, N>(0.5, 2), Swinging<WeldJoint, double, N>(0.5, 2), 0);
+    Swinging<HingeJoint, q16_16, N> hinge(0.8, 2);
+    Swinging<HingeJoint, double, N> real(0.8, 2);
+    hinge.joint.angle = num<q16_16>(0.3);
+    real.joint.angle = 0.3;
+    REQUIRE(hinge.world.change(hinge.id, hinge.joint));
+    REQUIRE(real.world.change(real.id, real.joint));
+    check(hinge, real, 0.3);
+  });
+}
+
+TEST_CASE("joint: the spring of a hinge turns with at most the torque of its motor") {
+  in_both_dimensions([](auto dimension) {
+    constexpr int N = decltype(dimension)::value;
+    CAPTURE(N);
+    Bar<q16_16, N> bar([](auto& joint) {
+      joint.angle = num<q16_16>(1);
+      joint.frequency = num<q16_16>(20);
+      joint.motor_torque = num<q16_16>(1);
+      joint.motor_speed = num<q16_16>(-50);  // unused
+    });
+    const double mass = N == 2 ? 1 : 0.5, inertia = mass * (4.25 / 12 + 1);
+    bar.step(12);  // far from its angle it applies all of it
+    CHECK(std::fabs(bar.spin() - 0.2 / inertia) < 0.01);
+    bar.joint.motor_torque = {};
+    REQUIRE(bar.world.change(bar.id, bar.joint));
+    bar.step(60);
+    CHECK(std::fabs(bar.angle() - 1) < 0.001);
+    bar.joint.frequency = num<q16_16>(2);
+    bar.joint.has_limits = true;
+    bar.joint.upper = num<q16_16>(0.25);
+    REQUIRE(bar.world.change(bar.id, bar.joint));
+    bar.step(120);  // a limit is stronger than such a spring
+    CHECK(std::fabs(bar.angle() - 0.25) < 0.005);
+  });
+}
+
 TEST_CASE("joint: a slider moves only along its axis, between its limits") {
   in_both_dimensions([](auto dimension) {
     constexpr int N = decltype(dimension)::value;

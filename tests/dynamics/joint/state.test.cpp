@@ -253,6 +253,52 @@ TEST_CASE("joint: diff names the fields of a cone, and its impulses are part of 
   CHECK(std::string(diff(world, other)->field.view()).starts_with("joint 1:2 turn"));
 }
 
+TEST_CASE("joint: springs of hinges and welds are part of the state, and of snapshots if set") {
+  in_both_dimensions([](auto dimension) {
+    constexpr int N = decltype(dimension)::value;
+    auto world = scene<N>();
+    for (int t = 0; t < 10; ++t) world.step();
+    const auto size = snapshot(world).size();
+    const auto check = [&](const JointId& id, auto joint, const auto& change, std::size_t bytes,
+                           const std::string& field) {
+      auto other = world;
+      change(joint);
+      REQUIRE(other.change(id, joint));
+      CHECK(snapshot(other).size() == size + bytes);
+      CHECK(digest(other) != digest(world));
+      const auto first = diff(world, other);
+      REQUIRE(first);
+      JointedWorld<S, N> fresh;
+      put_body(fresh, 0);
+      put_body(fresh, 1);
+      REQUIRE(restore(fresh, snapshot(other)) == Restored::yes);
+      CHECK(snapshot(fresh) == snapshot(other));
+      using Joint = decltype(joint);
+      CHECK(*fresh.template find_joint<Joint>(id) == joint);
+      step_alike(other, fresh, 20);
+      // Without the motion that waking bodies changed, the field is the first difference.
+      auto& record = detail::WorldAccess::joints(world).list[id.index];
+      const auto good = record.joint;
+      auto copy = world;
+      record.joint = decltype(record.joint)(joint);
+      CHECK(std::string(diff(copy, world)->field.view()).ends_with(field));
+      record.joint = good;
+    };
+    const auto hinge = *world.template find_joint<HingeJoint<S, N>>({2, 3});
+    check(
+        {2, 3}, hinge, [](auto& j) { j.angle = num<S>(0.1); }, 12, " angle");
+    check(
+        {2, 3}, hinge, [](auto& j) { j.frequency = S(3); }, 12, " frequency");
+    check(
+        {2, 3}, hinge, [](auto& j) { j.damping_ratio = S(0); }, 12, " damping_ratio");
+    const auto weld = *world.template find_joint<WeldJoint<S, N>>({3, 1});
+    check(
+        {3, 1}, weld, [](auto& j) { j.frequency = S(3); }, 8, " frequency");
+    check(
+        {3, 1}, weld, [](auto& j) { j.damping_ratio = S(2); }, 8, " damping_ratio");
+  });
+}
+
 TEST_CASE("joint: bits do not depend on the order of additions and removals") {
   in_both_dimensions([](auto dimension) {
     constexpr int N = decltype(dimension)::value;
@@ -349,6 +395,9 @@ void attack(const World& world, const World& fresh) {
 
 TEST_CASE("joint: hostile bytes change nothing and do no harm") {
   auto world = scene<3>();
+  auto bending = *world.find_joint<WeldJoint<S, 3>>({9, 1});
+  bending.frequency = S(3);
+  REQUIRE(world.change({9, 1}, bending));
   for (int t = 0; t < 20; ++t) world.step();
   JointedWorld<S, 3> fresh;
   put_body(fresh, 0);

@@ -19,7 +19,7 @@ class Joint:
         no_frame = [[ONE * (i == k) for k in range(n)] for i in range(n)]
         one = keys.pop("one")
         self.numbers = {"collide": 0, "break": 0, "least": 0, "most": one, "frequency": 0, "damping": one,
-                        "length": one if kind == "distance" else 0, "max_force": 0, "cone": 0, "limits": None,
+                        "length": one if kind == "distance" else 0, "angle": 0, "max_force": 0, "cone": 0, "limits": None,
                         "motor": [0, 0], "frame_a": no_frame, "frame_b": no_frame}
         self.numbers.update(keys)
         counts = {"distance": 3, "point": n, "line": n + 3, "turning": 3 if n == 2 else 5,
@@ -43,6 +43,7 @@ class Solved:
         self.alpha, self.beta = solver.shares(self.a, self.b)
         self.rate = world.rate
         self.broken = False
+        self.torque = None  # the most of row 0 of the turns
         n = self.n
         block, turns = PUSHES[joint.kind], TURNS.get(joint.kind)
         self.pushes, self.turns = [None] * len(joint.push), [None] * len(joint.turn)
@@ -73,7 +74,8 @@ class Solved:
                 self.pushes[2], self.pushes[3] = Row("limit"), Row("limit")
             self.pushes[4:] = [Row("equal") for _ in range(n - 1)]
         if turns == "stiff":
-            self.turns = [Row("equal") for _ in self.turns]
+            soft = spring if joint.kind == "weld" else None
+            self.turns = [Row("spring", soft.soft) if soft else Row("equal") for _ in self.turns]
         elif turns == "swinging":
             if k["cone"] > 0:
                 self.turns[0] = Row("limit")
@@ -84,6 +86,8 @@ class Solved:
             if torque > 0:
                 self.turns[0] = Row("motor", target=f.spin.quotient(speed, self.rate, f.F))
                 self.torque = self.over_masses(torque, f.torque)
+            if joint.kind == "hinge" and spring:
+                self.turns[0] = Row("spring", spring.soft)
             if joint.kind == "hinge" and k["limits"]:
                 self.turns[1], self.turns[2] = Row("limit"), Row("limit")
             self.turns[3:] = [Row("equal") for _ in self.turns[3:]]
@@ -154,9 +158,10 @@ class Solved:
         turns = TURNS.get(self.joint.kind)
         if turns == "turning":
             axis = [ONE] if n == 2 else self.fa[2]
-            self.turn(0, axis, 0)
+            angle = self.angle(cosine(0, 0), cosine(1, 0))
+            is_spring = self.turns[0] and self.turns[0].law == "spring"
+            self.turn(0, axis, f.spin.near((angle << f.F) - (k["angle"] << 28), f.F + 28) if is_spring else 0)
             if self.turns[1]:
-                angle = self.angle(cosine(0, 0), cosine(1, 0))
                 lower, upper = k["limits"]
                 self.turn(1, axis, f.spin.near((angle << f.F) - (lower << 28), f.F + 28))
                 self.turn(2, minus(axis), f.spin.near((upper << 28) - (angle << f.F), f.F + 28))
@@ -225,7 +230,7 @@ class Solved:
         row.c, row.gap = c, gap
         row.sa = [TURN_SHARE.quotient(y, s) if s > 0 else 0 for y in ya]
         row.sb = [TURN_SHARE.quotient(y, s) if s > 0 else 0 for y in yb]
-        if row.law == "motor":
+        if i == 0 and self.torque is not None:
             row.most = max(TURN.near(self.torque * s, f.F + 32 + 66 - 2 * f.F), 0)
 
     # Solving

@@ -360,6 +360,7 @@ class Stage {
         when("most", [&] { joint.most = number(in); });
       }
       if constexpr (requires { joint.length; }) when("length", [&] { joint.length = number(in); });
+      if constexpr (requires { joint.angle; }) when("angle", [&] { joint.angle = number(in); });
       if constexpr (requires { joint.frequency; }) {
         when("frequency", [&] { joint.frequency = number(in); });
         when("damping", [&] { joint.damping_ratio = number(in); });

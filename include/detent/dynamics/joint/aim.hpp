@@ -90,9 +90,12 @@ class Aim {
   }
   constexpr void aim_turns(const HingeJoint<S, N>& joint) noexcept {
     find_axes(joint);
-    turning();
-    if (ready_.turn[1].terms.law == Law::none) return;
-    const auto angle = angle_of_vector<S>(cosine(0, 0), cosine(1, 0));
+    const bool is_spring = ready_.turn[0].terms.law == Law::spring;
+    const bool is_limited = ready_.turn[1].terms.law != Law::none;
+    const auto angle =
+        is_spring || is_limited ? angle_of_vector<S>(cosine(0, 0), cosine(1, 0)) : Spin{};
+    turning(is_spring ? saturate_to<Spin>(angle - joint.angle) : Spin{});
+    if (!is_limited) return;
     turn(1, hinge_axis(), saturate_to<Spin>(angle - joint.lower));
     turn_back(2, 1, saturate_to<Spin>(joint.upper - angle));
   }
@@ -172,7 +175,7 @@ class Aim {
     if (row.terms.law == Law::none) return;
     row.axis = axis;
     const auto whole = share_out(row, spread_a_, spread_b_);
-    if (row.terms.law == Law::motor) {
+    if (row.terms.is_capped) {
       row.terms.most = nearest_to<typename F::Turn>(ready_.torque * whole);
       if (row.terms.most < 0) row.terms.most = {};
     }
@@ -250,9 +253,9 @@ class Aim {
       return to_array(axes_a_[2]);
     }
   }
-  /// The motor of a hinge or a wheel, and the rows that align axes 2.
-  constexpr void turning() noexcept {
-    turn(0, hinge_axis(), Spin{});
+  /// The motor of a hinge or a wheel, or a hinge's spring, and the rows that align axes 2.
+  constexpr void turning(const Spin& gap = {}) noexcept {
+    turn(0, hinge_axis(), gap);
     if constexpr (N == 3) {
       turn(3, to_array(axes_a_[0]), nearest_to<Spin>(narrow_negative(cosine(1, 2))));
       turn(4, to_array(axes_a_[1]), nearest_to<Spin>(cosine(0, 2)));

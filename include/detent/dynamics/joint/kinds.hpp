@@ -94,9 +94,11 @@ struct ConeJoint : FramedEnds<S, N> {
 
 /// Keeps two points together and, in 3D, axis 2 of both frames aligned. Limits of the angle are
 /// within half a turn, and count only if `has_limits`; the motor turns b relative to a at
-/// `motor_speed`, counter-clockwise, with at most `motor_torque`, if that is not 0.
+/// `motor_speed`, counter-clockwise, with at most `motor_torque`, if that is not 0. With a frequency
+/// it is instead a spring that turns b to `angle`, with at most `motor_torque`, if that is not 0.
 ///
-/// units:  lower and upper in radians, motor_speed in radians per second
+/// units:  lower, upper and angle in radians, motor_speed in radians per second, frequency in
+///         oscillations per second
 /// domain: angles are in [-pi, pi); a body that turns farther wraps from one end to the other
 /// exact:  as docs/dynamics.md says                            (tests/dynamics/joint/joint.test.cpp)
 template <Scalar S, int N>
@@ -104,16 +106,21 @@ struct HingeJoint : FramedEnds<S, N> {
   bool has_limits = false;
   S lower = S(0), upper = S(0);
   S motor_speed = S(0), motor_torque = S(0);
+  S angle = S(0), frequency = S(0), damping_ratio = S(1);
 
   [[nodiscard]] friend constexpr bool operator==(const HingeJoint&,
                                                  const HingeJoint&) noexcept = default;
 };
 
-/// Keeps two points together and the frames of both bodies aligned.
+/// Keeps two points together and the frames of both bodies aligned. With a frequency it bends: a
+/// spring aligns the frames.
 ///
+/// units:  frequency in oscillations per second, damping_ratio 1 for critical damping
 /// exact:  as docs/dynamics.md says                            (tests/dynamics/joint/joint.test.cpp)
 template <Scalar S, int N>
 struct WeldJoint : FramedEnds<S, N> {
+  S frequency = S(0), damping_ratio = S(1);
+
   [[nodiscard]] friend constexpr bool operator==(const WeldJoint&,
                                                  const WeldJoint&) noexcept = default;
 };
@@ -180,6 +187,16 @@ concept IsJoint = (joint_tag<T> != 0);
 inline constexpr std::uint32_t last_listed_joint = 6;
 template <class T>
 inline constexpr bool is_listed_joint = joint_tag<T> != 0 && joint_tag<T> <= last_listed_joint;
+
+/// Whether a joint has the numbers of a spring in snapshots only if it has the spring.
+template <class T>
+inline constexpr bool has_optional_spring = false;
+template <Scalar S, int N>
+inline constexpr bool has_optional_spring<HingeJoint<S, N>> = true;
+template <Scalar S, int N>
+inline constexpr bool has_optional_spring<WeldJoint<S, N>> = true;
+template <class T>
+inline constexpr bool has_optional_spring<const T> = has_optional_spring<T>;
 
 template <class... Ts>
 struct Types {

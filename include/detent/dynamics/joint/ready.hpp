@@ -73,7 +73,7 @@ struct ReadyJoint {
   bool breaks = false, is_broken = false;
   bool is_point = false;           // pushes 0 to 2 are along the axes of the world, in fixed point
   typename F::Impulse strength{};  // the greatest load, if it breaks
-  typename F::Torque torque{};     // of the motor
+  typename F::Torque torque{};     // the greatest of the motor, or of the spring of a hinge
   typename F::Ratio share_a{}, share_b{};
   std::array<PushRow<S, N>, Pushes> push{};
   std::array<TurnRow<S, N>, Turns> turn{};
@@ -97,7 +97,7 @@ class LayOut {
       : ready_(ready), a_(a), b_(b), rate_(rate) {}
 
   constexpr void operator()(const DistanceJoint<S, N>& joint) const noexcept {
-    spring(0, joint);
+    spring(ready_.push[0].terms, joint);
     if (joint.least >= joint.most) {
       push(1, Law::equal);
     } else {
@@ -110,12 +110,9 @@ class LayOut {
     ready_.is_point = is_fixed<S> && N == 3;
     const auto most = over_masses<typename F::Impulse>(joint.max_force, a_, b_, rate_);
     for (std::size_t i = 0; i < std::size_t{N}; ++i) {
-      if (joint.frequency > 0) {
-        spring(i, joint);
-      } else {
-        push(i, Law::equal);
-      }
+      push(i, Law::equal);
       auto& terms = ready_.push[i].terms;
+      spring(terms, joint);
       terms.is_capped = joint.max_force > 0;
       if (terms.is_capped) terms.most = most;
     }
@@ -130,11 +127,15 @@ class LayOut {
   constexpr void operator()(const HingeJoint<S, N>& joint) const noexcept {
     point();
     turning(joint, joint.has_limits);
+    spring(ready_.turn[0].terms, joint);
     strength(joint);
   }
   constexpr void operator()(const WeldJoint<S, N>& joint) const noexcept {
     point();
     stiff();
+    for (std::size_t i = 0; i < RowsOf<WeldJoint<S, N>>::turn; ++i) {
+      spring(ready_.turn[i].terms, joint);
+    }
     strength(joint);
   }
   constexpr void operator()(const SliderJoint<S, N>& joint) const noexcept {
@@ -168,11 +169,12 @@ class LayOut {
     terms.target = quotient_nearest<decltype(terms.target)>(speed, as_operand<S>(rate_));
     terms.is_capped = true;
   }
-  template <class Joint>
-  constexpr void spring(std::size_t i, const Joint& joint) const noexcept {
+  /// Makes a row a spring if the joint has one.
+  template <class RowTerms, class Joint>
+  constexpr void spring(RowTerms& terms, const Joint& joint) const noexcept {
     if (joint.frequency <= 0) return;
-    ready_.push[i].terms.law = Law::spring;
-    ready_.push[i].terms.soft = spring_softness(joint.frequency, joint.damping_ratio, rate_);
+    terms.law = Law::spring;
+    terms.soft = spring_softness(joint.frequency, joint.damping_ratio, rate_);
   }
   constexpr void point() const noexcept {
     ready_.is_point = is_fixed<S> && N == 3;
@@ -187,7 +189,7 @@ class LayOut {
   }
   template <class Joint>
   constexpr void line(const Joint& joint) const noexcept {
-    spring(1, joint);
+    spring(ready_.push[1].terms, joint);
     if (joint.has_limits) {
       push(2, Law::limit);
       push(3, Law::limit);
