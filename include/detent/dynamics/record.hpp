@@ -120,7 +120,8 @@ struct BodyRecord {
   typename MassProperties<S, N>::Formats::Mass mass{};
   Inertia<S, N> inertia{};
   BodyExtent<S, N> reach{};
-  typename F::Ratio kept_velocity{}, kept_spin{};  // by damping, per substep
+  Vec<typename F::Ratio, BodyState<S, N>::orientation_size> held{};  // unit of the anchor
+  typename F::Ratio kept_velocity{}, kept_spin{};                    // by damping, per substep
 
   [[nodiscard]] constexpr bool can_move() const noexcept {
     return motion == BodyMotion::dynamic && mass > 0;
