@@ -298,8 +298,8 @@ void check_contacts(const std::string& out) {
 
 void check_bodies(const std::string& out) {
   for (const char* const row :
-       {"\nnear  q16_16         23      240       9       0  0.0000  0xfd524b044f37fe34\n",
-        "\nfar   q16_16         23      240       9       0  0.0000  0x6961ea63cc641684\n"}) {
+       {"\nnear  q16_16         23      240       5       0  0.0000  0xf076246de4216d15\n",
+        "\nfar   q16_16         23      240       5       0  0.0000  0x27ac348fd2dadf46\n"}) {
     CHECK(out.find(row) != std::string::npos);
   }
   const auto far_row = out.find("\nfar   float          23      240 ");
