@@ -39,7 +39,6 @@ class HeldPlace {
     body.state.place = place_;
     body.drift = drift_;
     body.anchor = anchor_;
-    derive_held(body);
     return body.is_held();
   }
 
@@ -123,7 +122,6 @@ class HeldPlace<Fixed<Bits, Frac>, N> {
       const auto n = anchored<S>(body.state.orientation[i]).raw() + take(turn_bits);
       body.anchor[i] = Anchor::assume_raw(static_cast<typename Anchor::raw_type>(n));
     }
-    derive_held(body);
     return code == 0 && body.is_held();
   }
 

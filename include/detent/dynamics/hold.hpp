@@ -28,23 +28,23 @@ template <Scalar S>
   return nearest_to<typename Formats<S>::Anchor>(component);
 }
 
-/// Computes the orientation at which a held body is held.
+/// The orientation at which a body is held.
 template <Scalar S, int N, class Shape>
-constexpr void derive_held(BodyRecord<S, N, Shape>& body) noexcept {
-  body.held = from_array(unit_vector<typename Formats<S>::Ratio>(to_array(body.anchor))
-                             .value_or(to_array(body.state.orientation)));
+[[nodiscard]] constexpr auto held_orientation(const BodyRecord<S, N, Shape>& body) noexcept {
+  return from_array(unit_vector<typename Formats<S>::Ratio>(to_array(body.anchor))
+                        .value_or(to_array(body.state.orientation)));
 }
 
-/// How far a body has turned since it was held: twice the vector part of the quaternion of the turn;
-/// in 2D the sine of its angle.
+/// How far a body has turned since it had the orientation `from`: twice the vector part of the
+/// quaternion of the turn; in 2D the sine of its angle.
 ///
 /// Components of orientations are at most 1, so sums of four products fit 62 bits.
 template <Scalar S, int N, class Shape>
-[[nodiscard]] constexpr Axial<typename Formats<S>::Spin, N> lean_of(
-    const BodyRecord<S, N, Shape>& body) noexcept {
+[[nodiscard]] constexpr Axial<typename Formats<S>::Spin, N> turn_since(
+    const BodyRecord<S, N, Shape>& body,
+    const Vec<typename Formats<S>::Ratio, BodyState<S, N>::orientation_size>& from) noexcept {
   using Spin = typename Formats<S>::Spin;
-  if (!body.is_held()) return {};
-  const auto &from = body.held, &q = body.state.orientation;
+  const auto& q = body.state.orientation;
   if constexpr (N == 2) {
     return {nearest_to<Spin>(narrow<62>(cross(from, q)))};
   } else {
@@ -57,13 +57,24 @@ template <Scalar S, int N, class Shape>
   }
 }
 
-/// Sets a support to the pose at which its body is held.
+/// How far a body has turned since it was held.
 template <Scalar S, int N, class Shape>
-constexpr void hold_back(Support<S, N>& support, const BodyRecord<S, N, Shape>& body) noexcept {
+[[nodiscard]] constexpr Axial<typename Formats<S>::Spin, N> lean_of(
+    const BodyRecord<S, N, Shape>& body) noexcept {
+  if (!body.is_held()) return {};
+  return turn_since(body, held_orientation(body));
+}
+
+/// Sets a support to the pose at which its body is held; returns how far it has turned since.
+template <Scalar S, int N, class Shape>
+constexpr Axial<typename Formats<S>::Spin, N> hold_back(
+    Support<S, N>& support, const BodyRecord<S, N, Shape>& body) noexcept {
   for (int i = 0; i < N; ++i) {
     support.place[i] = saturate_to<typename Formats<S>::Place>(body.state.place[i] - body.drift[i]);
   }
-  support.axes = axes_of<S, N>(body.held);
+  const auto at = held_orientation(body);
+  support.axes = axes_of<S, N>(at);
+  return turn_since(body, at);
 }
 
 /// Sets a support to the current pose of its body.
@@ -77,7 +88,11 @@ constexpr void let_go(Support<S, N>& support, const BodyRecord<S, N, Shape>& bod
 template <Scalar S, int N, class Shape>
 [[nodiscard]] constexpr Support<S, N> held_support(const BodyRecord<S, N, Shape>& body) noexcept {
   Support<S, N> support;
-  body.is_held() ? hold_back(support, body) : let_go(support, body);
+  if (body.is_held()) {
+    hold_back(support, body);
+  } else {
+    let_go(support, body);
+  }
   return support;
 }
 
@@ -129,7 +144,6 @@ constexpr void hold(BodyRecord<S, N, Shape>& body, const Pace<S, N>& pace) noexc
   for (int i = 0; i < BodyState<S, N>::orientation_size; ++i) {
     body.anchor[i] = anchored<S>(body.state.orientation[i]);
   }
-  derive_held(body);
   body.drift = {};
   if constexpr (is_fixed<S>) {
     using Speed = typename Formats<S>::Speed;

@@ -120,8 +120,7 @@ struct BodyRecord {
   typename MassProperties<S, N>::Formats::Mass mass{};
   Inertia<S, N> inertia{};
   BodyExtent<S, N> reach{};
-  Vec<typename F::Ratio, BodyState<S, N>::orientation_size> held{};  // unit of the anchor
-  typename F::Ratio kept_velocity{}, kept_spin{};                    // by damping, per substep
+  typename F::Ratio kept_velocity{}, kept_spin{};  // by damping, per substep
 
   [[nodiscard]] constexpr bool can_move() const noexcept {
     return motion == BodyMotion::dynamic && mass > 0;

@@ -1119,9 +1119,9 @@ class Tick {
     slacks_.resize(bodies.size());
     leans_.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-      leans_[i] = lean_of(bodies[i]);
+      leans_[i] = {};
+      if (bodies[i].is_held()) leans_[i] = detail::hold_back(held[i], bodies[i]);
       slacks_[i] = slack_of(bodies[i], leans_[i]);
-      if (bodies[i].is_held()) detail::hold_back(held[i], bodies[i]);
     }
   }
   /// Sets them to the current poses.
