@@ -134,7 +134,7 @@ class HeldPlace<Fixed<Bits, Frac>, N> {
     return static_cast<std::int64_t>(word << (64 - bits)) >> (64 - bits);
   }
 
-  std::array<std::uint64_t, N> word_{};
+  std::array<std::uint64_t, std::size_t{N}> word_{};
 };
 
 }  // namespace detent::detail
