@@ -13,9 +13,11 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 # Prints the results as a block for the page: a summary for the README, more figures elsewhere.
+#
+# A row counts as many digests of the current version as its last whole run had queries, less those
+# whose digests have changed since, plus those of them that it answered later (with --only).
 block() {
-  awk -F'|' -v page="$1" -v version="$version" -v floats="$(sed -n 's/^float|//p' "$results")" \
-    -v golden="$(awk '!/^#/ { print $2 }' "$verify_results" | sort -u | wc -l)" '
+  awk -F'|' -v page="$1" -v version="$version" -v floats="$(sed -n 's/^float|//p' "$results")" '
     function list(text, item) { return text == "" ? item : text ", " item }
     # Keeps the least and the greatest of a figure in a group of rows.
     function note(group, figure, value) {
@@ -26,15 +28,35 @@ block() {
       if (least[group, figure] == most[group, figure]) return least[group, figure]
       return least[group, figure] " to " most[group, figure]
     }
+    # How many of these queries, answered with version `then`, had other digests in version `before`.
+    function later(names, before, then,   count, i, n, name) {
+      n = split(names, name, " ")
+      for (i = 1; i <= n; ++i) count += then == version && (before, name[i]) in changed
+      return count + 0
+    }
+    FNR == NR {
+      if (/^#/ || NF == 0) next
+      split($0, field, " ")
+      digest[field[1], field[2]] = field[4]
+      if (field[1] == version) ++golden
+      versions[field[1]]; names_of[field[2]]
+      next
+    }
+    FNR == 1 {
+      for (v in versions) for (n in names_of)
+        if ((v, n) in digest && digest[v, n] != digest[version, n]) { ++changes[v]; changed[v, n] }
+    }
     $1 != "row" { next }
     {
       name = $3; result = $10; group = $2
       if (result == "equal") {
         ++equal
         big += $6 == "big"; short += $5 == 32; ours += $7 == "ours"; soft += $8 == "none"
-        state = $15 == version && $13 == golden ? "current" : "earlier"
+        answered = $13 - changes[$15] + later($16, $15, $18)
+        state = answered == golden ? "current" : "earlier"
         ++rows[state]
-        note(state, "date", $14); note(state, "queries", $13 + 0); note(state, "version", $15 + 0)
+        note(state, "date", $14); note(state, "queries", answered)
+        if ($17) note(state, "date", $17)
         seconds += $11
       } else if (result == "compiles") {
         ++compiled
@@ -52,15 +74,13 @@ block() {
       }
     }
     END {
-      printf "**%d platforms gave the golden digests and %s differed**: ", equal,
-             different ? different : "none"
-      if (rows["current"])
-        printf "%d answered all %d queries of results_version %d (%s)", rows["current"], golden, version,
-               range("current", "date")
+      printf "**%d platforms gave the golden digests and %s differed**. Of the %d digests of results_version %d, ", equal,
+             different ? different : "none", golden, version
+      if (rows["current"]) printf "%d gave all (%s)", rows["current"], range("current", "date")
       if (rows["current"] && rows["earlier"]) printf "; "
       if (rows["earlier"])
-        printf "%d were last run with results_version %s and %s queries (%s)", rows["earlier"],
-               range("earlier", "version"), range("earlier", "queries"), range("earlier", "date")
+        printf "%d gave %s (%s): the others are of newer queries, or do not fit", rows["earlier"],
+               range("earlier", "queries"), range("earlier", "date")
       print "."
       if (failed != "") print "Not equal: " failed "."
       if (compiled) print compiled " more were not run: the compiler evaluated the check and gave the golden answers."
@@ -71,7 +91,7 @@ block() {
       }
       print "\n| platforms | |\n|---|---|"
       for (i = 1; i <= known; ++i) print "| " groups[i] " | " count[groups[i]] ": " names[groups[i]] " |"
-    }' "$results"
+    }' "$verify_results" "$results"
 }
 
 failures=0
