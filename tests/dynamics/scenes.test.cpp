@@ -32,39 +32,39 @@ void check(const Settled& fixed, const Settled& real, const Band& band, std::uin
 
 TEST_CASE("scenes: a stack of 10 stands") {
   check(settle(stack<q16_16, 2>(10, 4), 600), settle(stack<double, 2>(10, 4), 600),
-        {25, 0.023, 0.027, 1e-4, 5e-4}, 0xe3bcda8b5017cce3u);
+        {25, 0.023, 0.027, 1e-4, 5e-4}, 0xd80f42e1ae1ce712u);
 }
 
 TEST_CASE("scenes: a pyramid of base 10 stands") {
   check(settle(pyramid<q16_16>(10, 4), 300), settle(pyramid<double>(10, 4), 300),
-        {15, 0.005, 0.008, 4e-3, 1e-3}, 0x8119f83d16a462b3u);
+        {15, 0.005, 0.008, 4e-3, 1e-3}, 0x21550aac1efe98bcu);
 }
 
 TEST_CASE("scenes: a box of mass 100 stands on two of mass 1") {
   check(settle(heavy_top<q16_16, 2>(100, 4), 600), settle(heavy_top<double, 2>(100, 4), 600),
-        {40, 0.08, 0.10, 1e-3, 1e-3}, 0x6d75f65784c05a84u);
+        {40, 0.08, 0.10, 1e-3, 1e-3}, 0x3844ec2cc61fc373u);
 }
 
 TEST_CASE("scenes: a house of cards of 3 levels stands") {
   check(settle(house_of_cards<q16_16>(3, 4), 600), settle(house_of_cards<double>(3, 4), 600),
-        {15, 0.005, 0.015, 0.02, 1e-3}, 0xdb65f69264a8d13du);
+        {15, 0.005, 0.015, 0.02, 1e-3}, 0x2415b787debf0a16u);
 }
 
 TEST_CASE("scenes: a stack of 10 in 3D stands") {
   check(settle(stack<q16_16, 3>(10, 8), 300), settle(stack<double, 3>(10, 8), 300),
-        {10, 0.004, 0.006, 1e-4, 1e-4}, 0x19ad1dc26c652f62u);
+        {10, 0.004, 0.006, 1e-4, 1e-4}, 0x7646c354dd633a1fu);
 }
 
 TEST_CASE("scenes: a box of mass 100 in 3D stands on two of mass 1") {
   check(settle(heavy_top<q16_16, 3>(100, 8), 300), settle(heavy_top<double, 3>(100, 8), 300),
-        {20, 0.014, 0.022, 1e-4, 1e-4}, 0x82233d3e11f6acffu);
+        {20, 0.014, 0.022, 1e-4, 1e-4}, 0x7948486e381b8175u);
 }
 
 TEST_CASE("scenes: a heap of 40 boxes comes to rest") {
   auto scene = heap<q16_16>(4);
   scene.step(500);
   CHECK(scene.fastest() < 0.03);
-  CHECK(digest(scene.world) == 0xed6914590c2ea6ebu);
+  CHECK(digest(scene.world) == 0x347b24900a865385u);
 }
 
 TEST_CASE("scenes: a scene at rest stays at rest") {

@@ -356,32 +356,32 @@ void check(const Course& fixed, const Course& real, const Band& band, std::uint6
 
 TEST_CASE("standing: a stack of 20 stands") {
   check(stack_of_20<q16_16>(), stack_of_20<double>(), {20, -0.028, -0.024, 1e-4, 0, 5e-4},
-        0xe1a5b0410b3998a1u);
+        0x7948e1a262569b87u);
 }
 
 TEST_CASE("standing: a box of mass 1,000 stands on two of mass 1") {
   check(thousand_on_two<q16_16>(), thousand_on_two<double>(), {80, -0.06, -0.05, 1e-3, 0, 5e-4},
-        0xc809cede217665ffu);
+        0x990f6e042b415083u);
 }
 
 TEST_CASE("standing: an arch of hulls stands") {
-  check(arch<q16_16>(), arch<double>(), {15, -0.012, -0.006, 1e-3, 0, 5e-4}, 0x799c76a8237584e0u);
+  check(arch<q16_16>(), arch<double>(), {15, -0.012, -0.006, 1e-3, 0, 5e-4}, 0xc9807abc711810a2u);
 }
 
 TEST_CASE("standing: all dominoes fall") {
   check(dominoes<q16_16>(), dominoes<double>(), {200, -0.46, -0.44, 0.7, 0, 1e-3},
-        0x0d99e3c9c2d16833u);
+        0x98a6ff9e214604dcu);
 }
 
 TEST_CASE("standing: the last ball of a cradle swings as high as the first") {
   const auto fixed = cradle<q16_16>(600), real = cradle<double>(600);
-  check(fixed, real, {0, -1, 2, 4, 0, 2e-3}, 0xe76796b5a4aa0422u);
+  check(fixed, real, {0, -1, 2, 4, 0, 2e-3}, 0xc1f6b4b26b2161abu);
   CHECK(fixed.highest > 3.98);  // the first one started at 4
   CHECK(fixed.highest < 4);
 }
 
 TEST_CASE("standing: a bridge holds three boxes") {
-  check(bridge<q16_16>(), bridge<double>(), {0, -0.9, -0.7, 0.01, 0.02, 5e-3}, 0x001d5027f07a636bu);
+  check(bridge<q16_16>(), bridge<double>(), {0, -0.9, -0.7, 0.01, 0.02, 5e-3}, 0xcc0dec6f8b372b2eu);
 }
 
 TEST_CASE("standing: 20 ragdolls stay whole") {
@@ -393,7 +393,7 @@ TEST_CASE("standing: 20 ragdolls stay whole") {
     CHECK(course.gain < 1e-3);
   }
   CHECK(std::fabs(fixed.mean - real.mean) < 0.15);
-  CHECK(fixed.digest == 0xa90fb4043d720a96u);
+  CHECK(fixed.digest == 0xd9d9b92ba689ac62u);
 }
 
 TEST_CASE("standing: a T-handle keeps flipping and keeps its energy") {
@@ -412,7 +412,7 @@ TEST_CASE("standing: a spinning top stays upright") {
   CHECK(fixed.upright > 0.99);
   CHECK(std::fabs(fixed.upright - real.upright) < 1e-3);
   CHECK(fixed.most < 1.001);
-  CHECK(fixed.digest == 0xf12d7ad83ef95b08u);
+  CHECK(fixed.digest == 0xcd24e430b47538eau);
 }
 
 }  // namespace detent::test
