@@ -390,11 +390,13 @@ TEST_CASE("settling: a heap of 200 boxes, capsules, balls and hulls sleeps, as i
   Heap<double> other;
   const auto real = end_of(other, 2000);
   CAPTURE(real.asleep, real.height, real.spread, real.highest, real.lowest, real.gain);
+  // The two part, as any two heaps do that differ in a bit: of 100 such heaps the spread has a
+  // standard deviation of 0.15, and one in fifty takes more than 1,100 ticks to sleep.
   CHECK(real.asleep > 0);
-  CHECK(real.asleep < 900);
+  CHECK(real.asleep < 1100);
   CHECK(real.gain < 1e-6);
   CHECK(std::fabs(fixed.height - real.height) < 0.05);
-  CHECK(std::fabs(fixed.spread - real.spread) < 0.2);
+  CHECK(std::fabs(fixed.spread - real.spread) < 0.45);
   // Which body lies on top is chance: none lies higher than on two layers of others.
   CHECK(fixed.highest < 2.6);
   CHECK(real.highest < 2.6);
