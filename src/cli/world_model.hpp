@@ -82,8 +82,8 @@ struct JointModel {
   Turn frame;                // in both bodies, in world coordinates
   bool collide = false;
   std::optional<std::array<Literal, 2>> limits;
-  std::optional<Literal> break_force, least, most, length, angle, frequency, damping_ratio, max_force,
-      cone_angle, motor_speed, motor_torque, motor_force;
+  std::optional<Literal> break_force, least, most, length, angle, frequency, damping_ratio,
+      max_force, cone_angle, motor_speed, motor_torque, motor_force;
 };
 
 /// The side view of a world in two dimensions.

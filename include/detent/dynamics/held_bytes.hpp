@@ -68,21 +68,20 @@ class HeldPlace<Fixed<Bits, Frac>, N> {
   constexpr HeldPlace(const BodyRecord<S, N, Shape>& body, int grid) noexcept {
     std::uint64_t code = 0;
     int at = 0;
-    const auto add = [&](std::int64_t n, int bits) {
+    const auto add = [&](const auto& n, int bits) {
       code |= low_bits(n, bits) << at;
       at += bits;
     };
     for (int i = 0; i < N; ++i) {
-      const std::int64_t x = body.state.place[i].raw();
-      add(((x - body.drift[i].raw()) >> grid) - shifted_nearest(x, grid), step_bits);
+      const auto& x = body.state.place[i];
+      add(steps_nearest(x - body.drift[i], grid) - steps_nearest(x, grid), step_bits);
     }
     for (int i = 0; i < parts; ++i) {
-      add(std::int64_t{body.anchor[i].raw()} - anchored<S>(body.state.orientation[i]).raw(),
-          turn_bits);
+      add(body.anchor[i] - anchored<S>(body.state.orientation[i]), turn_bits);
     }
     for (int i = 0; i < N; ++i) {
       word_[static_cast<std::size_t>(i)] =
-          low_bits(body.state.place[i].raw(), place_bits) | code << place_bits;
+          low_bits(body.state.place[i], place_bits) | code << place_bits;
       code >>= code_bits;
     }
   }
@@ -102,38 +101,32 @@ class HeldPlace<Fixed<Bits, Frac>, N> {
     std::uint64_t code = 0;
     for (int i = 0; i < N; ++i) {
       const auto word = word_[static_cast<std::size_t>(i)];
-      const auto x = with_sign(word, place_bits);
-      body.state.place[i] = Place::from_raw(static_cast<typename Place::raw_type>(x));
-      if (body.state.place[i].raw() != x) return false;
+      auto& x = body.state.place[i];
+      x = from_low_bits<Place>(word, place_bits);
+      if (low_bits(x, place_bits) != (word & ((std::uint64_t{1} << place_bits) - 1))) return false;
       code |= word >> place_bits << code_bits * i;
     }
-    const auto take = [&](int bits) {
-      const auto n = with_sign(code, bits);
+    const auto take = [&]<class T>(T, int bits) {
+      const auto n = from_low_bits<T>(code, bits);
       code >>= bits;
       return n;
     };
     for (int i = 0; i < N; ++i) {
-      const std::int64_t x = body.state.place[i].raw();
-      const auto drift = x - ((shifted_nearest(x, grid) + take(step_bits)) << grid);
-      if (drift < Speed::lowest().raw() || drift > (Speed::max)().raw()) return false;
-      body.drift[i] = Speed::assume_raw(static_cast<typename Speed::raw_type>(drift));
+      const auto& x = body.state.place[i];
+      const auto steps = steps_nearest(x, grid) + take(Fixed<step_bits - 1, 0>(), step_bits);
+      const auto drift = x - of_steps<Fixed<Place::bits + 3, Place::frac>>(steps, grid);
+      if (drift < Speed::lowest() || drift > (Speed::max)()) return false;
+      body.drift[i] = saturate_to<Speed>(drift);
     }
     for (int i = 0; i < parts; ++i) {
-      const auto n = anchored<S>(body.state.orientation[i]).raw() + take(turn_bits);
-      body.anchor[i] = Anchor::assume_raw(static_cast<typename Anchor::raw_type>(n));
+      using Turn = Fixed<turn_bits - 1, Anchor::frac>;
+      body.anchor[i] =
+          saturate_to<Anchor>(anchored<S>(body.state.orientation[i]) + take(Turn(), turn_bits));
     }
     return code == 0 && body.is_held();
   }
 
  private:
-  [[nodiscard]] static constexpr std::uint64_t low_bits(std::int64_t n, int bits) noexcept {
-    return static_cast<std::uint64_t>(n) & ((std::uint64_t{1} << bits) - 1);
-  }
-  /// The signed number in the lowest bits.
-  [[nodiscard]] static constexpr std::int64_t with_sign(std::uint64_t word, int bits) noexcept {
-    return static_cast<std::int64_t>(word << (64 - bits)) >> (64 - bits);
-  }
-
   std::array<std::uint64_t, std::size_t{N}> word_{};
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "detent/dynamics/flight.hpp"
+#include "detent/number/grid.hpp"
 
 // Held bodies (`WorldSettings::hold_distance`). A body is held at a pose while it moves and turns
 // little: its contacts have the normals, points and levers of that pose, and their separations
@@ -15,11 +16,9 @@
 
 namespace detent::detail {
 
-/// n 2^-shift, rounded to nearest, ties to even.
-[[nodiscard]] constexpr std::int64_t shifted_nearest(std::int64_t n, int shift) noexcept {
-  if (shift == 0) return n;
-  return (n + (std::int64_t{1} << (shift - 1)) - 1 + (n >> shift & 1)) >> shift;
-}
+/// A place that may be rounded to beyond the end of the world.
+template <class Place>
+using WidePlace = Fixed<Place::bits + 1, Place::frac>;
 
 /// The number nearest to an orientation's component on the grid of held orientations.
 template <Scalar S>
@@ -146,11 +145,12 @@ constexpr void hold(BodyRecord<S, N, Shape>& body, const Pace<S, N>& pace) noexc
   }
   body.drift = {};
   if constexpr (is_fixed<S>) {
-    using Speed = typename Formats<S>::Speed;
+    using F = Formats<S>;
     for (int i = 0; i < N; ++i) {
-      const auto x = std::int64_t{body.state.place[i].raw()};
-      const auto next = shifted_nearest(x, pace.hold_grid) << pace.hold_grid;
-      body.drift[i] = Speed::assume_raw(static_cast<typename Speed::raw_type>(x - next));
+      const auto& x = body.state.place[i];
+      const auto steps = steps_nearest(x, pace.hold_grid);
+      body.drift[i] = saturate_to<typename F::Speed>(
+          x - of_steps<WidePlace<typename F::Place>>(steps, pace.hold_grid));
     }
   }
 }

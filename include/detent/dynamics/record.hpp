@@ -8,6 +8,7 @@
 #include "detent/dynamics/mass.hpp"
 #include "detent/dynamics/settings.hpp"
 #include "detent/dynamics/spin.hpp"
+#include "detent/number/grid.hpp"
 
 namespace detent::detail {
 
@@ -31,7 +32,8 @@ template <Number T>
 [[nodiscard]] constexpr int hold_grid_of(const T& hold) noexcept {
   int exponent = 0;
   if constexpr (is_fixed<T>) {
-    while (std::int64_t{1023} << exponent < hold.raw()) ++exponent;
+    const Fixed<10, 0> most(1023);
+    while (of_steps<Fixed<40, T::frac>>(most, exponent) < hold) ++exponent;
   }
   return exponent;
 }
