@@ -79,7 +79,7 @@ block() {
       if (rows["current"]) printf "%d gave all (%s)", rows["current"], range("current", "date")
       if (rows["current"] && rows["earlier"]) printf "; "
       if (rows["earlier"])
-        printf "%d gave %s (%s): the others are of newer queries, or do not fit", rows["earlier"],
+        printf "%d gave %s (%s): the others are newer than their last run, or do not fit", rows["earlier"],
                range("earlier", "queries"), range("earlier", "date")
       print "."
       if (failed != "") print "Not equal: " failed "."
