@@ -338,10 +338,15 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
       return Restored::corrupted;
     }
     if (i >= bodies_room) return Restored::no_room;
-    if (i >= bodies.size()) bodies.resize(i + 1);
-    if (bodies[i].generation != 0) return Restored::corrupted;  // a fixed body has the index
+    const auto size = bodies.size();
+    if (i < size && bodies[i].generation != 0) return Restored::corrupted;  // of a fixed body
+    if (alike && i == size) {
+      bodies.push_back(bodies[before]);
+    } else {
+      if (i >= size) bodies.resize(i + 1);
+      if (alike) bodies[i] = bodies[before];
+    }
     auto& body = bodies[i];
-    if (alike) body = bodies[before];
     body.generation = generation;
     body.quiet = static_cast<std::uint8_t>(word >> 20);
     body.sleeps = (word >> 28 & 1) != 0;
