@@ -340,7 +340,12 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
     if (i >= bodies_room) return Restored::no_room;
     const auto size = bodies.size();
     if (i < size && bodies[i].generation != 0) return Restored::corrupted;  // of a fixed body
-    if (alike && i == size) {
+#ifdef __OPTIMIZE_SIZE__
+    constexpr bool appends = false;
+#else
+    const bool appends = alike && i == size;  // faster than resize, which initializes the element
+#endif
+    if (appends) {
       bodies.push_back(bodies[before]);
     } else {
       if (i >= size) bodies.resize(i + 1);
