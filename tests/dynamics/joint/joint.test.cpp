@@ -187,18 +187,27 @@ TEST_CASE("joint: a rope can be slack, and a rod pushes") {
 
 namespace {
 
+template <Scalar S, int N>
+WorldSettings<S, N> weightless() {
+  auto settings = sleepless<S, N>();
+  settings.gravity = {};
+  return settings;
+}
+
+/// The angle of a body's axis 0 from x, about z.
+template <Scalar S, int N>
+double angle_in(const JointedWorld<S, N>& world, const BodyId& body) {
+  const auto x = world.rotation(body).axis(0);
+  return std::atan2(static_cast<double>(x[1]), static_cast<double>(x[0]));
+}
+
 /// A bar on a hinge at the origin, without gravity.
 template <Scalar S, int N>
 struct Bar {
-  JointedWorld<S, N> world{settings()};
+  JointedWorld<S, N> world{weightless<S, N>()};
   HingeJoint<S, N> joint;
   JointId id{};
 
-  static WorldSettings<S, N> settings() {
-    auto settings = sleepless<S, N>();
-    settings.gravity = {};
-    return settings;
-  }
   template <class Change>
   explicit Bar(const Change& change) {
     const auto wall = add_small_ball<S, N>(world, 0, 0, 0.1, fixed_body<S, N>());
@@ -210,10 +219,7 @@ struct Bar {
   double spin() const {
     return static_cast<double>(world.angular_velocity(joint.b)[N == 2 ? 0 : 2]);
   }
-  double angle() const {
-    const auto x = world.rotation(joint.b).axis(0);
-    return std::atan2(static_cast<double>(x[1]), static_cast<double>(x[0]));
-  }
+  double angle() const { return angle_in(world, joint.b); }
   void step(int ticks) {
     for (int t = 0; t < ticks; ++t) world.step();
   }
@@ -307,36 +313,26 @@ TEST_CASE("joint: welded boxes stay straight") {
 /// A box that a joint at its center turns about axis 2, without gravity.
 template <template <Scalar, int> class Joint, Scalar S, int N>
 struct Swinging {
-  using Kind = Joint<S, N>;
-  JointedWorld<S, N> world;
-  BodyId box{};
-  Kind joint;
+  JointedWorld<S, N> world{weightless<S, N>()};
+  Joint<S, N> joint;
   JointId id{};
 
-  explicit Swinging(double start, double frequency, double damping_ratio = 0)
-      : world([] {
-          auto settings = sleepless<S, N>();
-          settings.gravity = {};
-          return settings;
-        }()) {
-    const auto wall = add_small_ball<S, N>(world, 0, 0, 0.1, fixed_body<S, N>());
-    box = add_box<S, N>(world, 0, 0, 1, 0.25);
+  /// Turned by `start` from the frame of the fixed body, on a spring of 2 Hz.
+  explicit Swinging(double start) {
+    joint.a = add_small_ball<S, N>(world, 0, 0, 0.1, fixed_body<S, N>());
+    joint.b = add_box<S, N>(world, 0, 0, 1, 0.25);
     const auto angle = Angle<S>::from_radians(num<S>(start));
     if constexpr (N == 2) {
-      world.set_rotation(box, Rotation<S, 2>::from_angle(angle));
+      world.set_rotation(joint.b, Rotation<S, 2>::from_angle(angle));
     } else {
-      world.set_rotation(box, Rotation<S, 3>::from_axis_angle(Direction<S, 3>::along(2), angle));
+      const auto axis = Direction<S, 3>::along(2);
+      world.set_rotation(joint.b, Rotation<S, 3>::from_axis_angle(axis, angle));
     }
-    joint.a = wall;
-    joint.b = box;
-    joint.frequency = num<S>(frequency);
-    joint.damping_ratio = num<S>(damping_ratio);
+    joint.frequency = S(2);
+    joint.damping_ratio = S(0);
     id = world.add(joint).value_or(no_joint);
   }
-  double angle() const {
-    const auto axis = world.rotation(box).axis(0);
-    return std::atan2(static_cast<double>(axis[1]), static_cast<double>(axis[0]));
-  }
+  double angle() const { return angle_in(world, joint.b); }
 };
 
 TEST_CASE("joint: springs of hinges and welds swing at their frequency about their angle") {
@@ -363,9 +359,9 @@ TEST_CASE("joint: springs of hinges and welds swing at their frequency about the
       CHECK(most < 0.5);
       CHECK(apart < 1e-5);
     };
-    check(Swinging<WeldJoint, q16_16, N>(0.5, 2), Swinging<WeldJoint, double, N>(0.5, 2), 0);
-    Swinging<HingeJoint, q16_16, N> hinge(0.8, 2);
-    Swinging<HingeJoint, double, N> real(0.8, 2);
+    check(Swinging<WeldJoint, q16_16, N>(0.5), Swinging<WeldJoint, double, N>(0.5), 0);
+    Swinging<HingeJoint, q16_16, N> hinge(0.8);
+    Swinging<HingeJoint, double, N> real(0.8);
     hinge.joint.angle = num<q16_16>(0.3);
     real.joint.angle = 0.3;
     REQUIRE(hinge.world.change(hinge.id, hinge.joint));
