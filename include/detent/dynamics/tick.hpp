@@ -532,11 +532,11 @@ class Tick {
           touch_parts(bodies, pair, held, first, second, before, old, reach, margin, out);
         } else if constexpr (is_surface_body<A>) {
           touch_terrain(bodies, {pair}, held, first,
-                        Placed{second, held[pair.b], bodies[pair.b].reach}, true, before, old,
+                        Placed<B>{second, held[pair.b], bodies[pair.b].reach}, true, before, old,
                         reach, margin, out);
         } else if constexpr (is_surface_body<B>) {
           touch_terrain(bodies, {pair}, held, second,
-                        Placed{first, held[pair.a], bodies[pair.a].reach}, false, before, old,
+                        Placed<A>{first, held[pair.a], bodies[pair.a].reach}, false, before, old,
                         reach, margin, out);
         } else {
           const auto& a = held[pair.a];
@@ -580,11 +580,6 @@ class Tick {
     const RelativePose<S, N>* in_body = nullptr;  // the frame of a part in that of its body
     std::uint32_t part = 0;
   };
-  template <class Shape>
-  Placed(const Shape&, const Support<S, N>&, const BodyExtent<S, N>&) -> Placed<Shape>;
-  template <class Shape>
-  Placed(const Shape&, const Support<S, N>&, const BodyExtent<S, N>&, const RelativePose<S, N>*,
-         std::uint32_t) -> Placed<Shape>;
 
   /// Calls f for each part of a compound in order, or once for a body with a single shape.
   template <class Shape, class Visit>
@@ -600,12 +595,12 @@ class Tick {
         Support<S, N> support;
         support.place = at.place;
         support.axes = at.axes;
-        visit_part(parts[k], [&](const auto& part) {
-          f(Placed{part, support, parts[k].reach(), &pose, static_cast<std::uint32_t>(k)});
+        visit_part(parts[k], [&]<class Part>(const Part& part) {
+          f(Placed<Part>{part, support, parts[k].reach(), &pose, static_cast<std::uint32_t>(k)});
         });
       }
     } else {
-      f(Placed{shape, held[body], bodies[body].reach});
+      f(Placed<Shape>{shape, held[body], bodies[body].reach});
     }
   }
 

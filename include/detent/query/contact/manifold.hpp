@@ -119,8 +119,8 @@ class ContactBuilder {
       return corners;
     };
     const auto corners = relative(reference), incident_corners = relative(incident);
-    add_points(overlay, reference, Rim(seen_, corners, reference.count), incident,
-               Rim(seen_, incident_corners, incident.count), deepest);
+    add_points(overlay, reference, rim_of(reference, corners), incident,
+               rim_of(incident, incident_corners), deepest);
     return count_ > 0;
   }
 
@@ -369,8 +369,8 @@ class ContactBuilder {
     with_corners_from(
         reference.corners[0],
         [&](const auto& corners, const auto& incident_corners) {
-          const Rim rim(seen_, corners, reference.count);
-          const Rim incident_rim(seen_, incident_corners, incident.count);
+          const auto rim = rim_of(reference, corners);
+          const auto incident_rim = rim_of(incident, incident_corners);
           clip_within(reference, rim, incident, incident_rim, deepest, 0);
           // They meet in their rims, but for the rounding of the normal.
           if (count_ == 0) clip_within(reference, rim, incident, incident_rim, deepest, most_tilt);
@@ -447,7 +447,10 @@ class ContactBuilder {
     std::size_t count;
   };
   template <Number T>
-  Rim(const Direction<S, 3>&, const VecList<T, 3, Most>&, std::size_t) -> Rim<T>;
+  [[nodiscard]] constexpr Rim<T> rim_of(const Face& of,
+                                        const VecList<T, 3, Most>& corners) const noexcept {
+    return {seen_, corners, of.count};
+  }
 
   /// `slack` is how many of the least steps of S a corner may be outside.
   template <Number T>

@@ -176,7 +176,8 @@ template <Scalar S, int N, Number Radius>
     });
   }
   const AabbBody slabs(low, high);
-  const HullBody span(std::array{Vec<std::remove_cvref_t<decltype(d.x)>, N>(), d});
+  const std::array ends{Vec<std::remove_cvref_t<decltype(d.x)>, N>(), d};
+  const HullBody span(ends);
   using Difference = std::remove_cvref_t<decltype((low - d).x)>;
   using Slabs = std::remove_cvref_t<decltype(slabs)>;
   using Span = std::remove_cvref_t<decltype(span)>;
