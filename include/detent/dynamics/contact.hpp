@@ -87,18 +87,18 @@ struct ReadyContact {
   std::uint8_t count = 0;
   bool is_wall = false;  // one of the bodies cannot be pushed
   Pushed pushed{};
+  std::array<bool, capacity> was_pushed{};
+  typename F::Ratio grip{}, bounce{};
+  const Rolling<S, N>* rolling = nullptr;             // if it resists rolling
+  std::array<typename F::Speed, capacity> gap{};      // at the start of the tick
+  std::array<typename F::Speed, capacity> gap_now{};  // after the last move
   Thrust<S, N> normal{};
   std::array<Thrust<S, N>, std::size_t{N - 1}> tangent{};
   std::array<Row<S, N>, capacity> pressure{};
   std::array<Row<S, N>, std::size_t{N - 1}> friction{};
   Row<S, N> twist{};
-  std::array<typename F::Speed, capacity> gap{};      // at the start of the tick
-  std::array<typename F::Speed, capacity> gap_now{};  // after the last move
   std::array<typename F::Ratio, capacity> reach{};    // distance from the middle over the greatest
   std::array<typename F::Speed, capacity> closing{};  // rate at the start of the tick
-  std::array<bool, capacity> was_pushed{};
-  typename F::Ratio grip{}, bounce{};
-  const Rolling<S, N>* rolling = nullptr;  // if it resists rolling
 };
 
 /// The impulses of a and b along `n`: shares of the whole, rounded once.
@@ -219,6 +219,7 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
         row_at(nearest_to<Arm>(middle), nearest_to<Arm>(middle - offset), across[t], slip);
   }
   if constexpr (N == 3) {
+    ready.twist = {};
     std::array<Arm, ReadyContact<S, N>::capacity> distance{};
     Arm farthest{};
     for (std::size_t i = 0; i < count; ++i) {

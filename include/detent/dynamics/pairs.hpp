@@ -187,17 +187,58 @@ constexpr void order_entries(Entries& entries, [[maybe_unused]] Entries& room,
   order_entries(entries);
 }
 
+/// Calls found(pair) for the pairs of a strip that it reports. Entry i of its `size` is at(i); they
+/// are in the order of a sweep.
+template <int N, class At, class Found>
+constexpr void sweep_strip(std::size_t strip, std::size_t size, const At& at, const Found& found) {
+  // Branchless, because it is unpredictable which bodies are apart along another axis: every pair
+  // is written, and the next one overwrites it unless the bodies overlap.
+  std::array<BodyPair, 64> met{};
+  std::size_t met_size = 0;
+  const auto report = [&] {
+    for (std::size_t k = 0; k < met_size; ++k) {
+      found(BodyPair{(std::min)(met[k].a, met[k].b), (std::max)(met[k].a, met[k].b)});
+    }
+    met_size = 0;
+  };
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto& first = at(i);
+    for (std::size_t j = i + 1; j < size; ++j) {
+      const auto& second = at(j);
+      if (second.bounds.least.x > first.bounds.most.x) break;
+      auto meets =
+          static_cast<unsigned>((std::max)(first.first_strip, second.first_strip) == strip);
+      for (int k = 1; k < N; ++k) {
+        meets &= static_cast<unsigned>(second.bounds.least[k] <= first.bounds.most[k]) &
+                 static_cast<unsigned>(first.bounds.least[k] <= second.bounds.most[k]);
+      }
+      met[met_size] = {first.body, second.body};
+      met_size += meets;
+      if (met_size == met.size()) report();
+    }
+  }
+  report();
+}
+
+/// Finds the strips of each body.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Strips<S, N> place_in_strips(SweepEntry<S, N>* bodies,
+                                                     std::size_t count) noexcept {
+  const Strips<S, N> strips(bodies, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    bodies[i].first_strip = strips.first_of(bodies[i].bounds);
+    bodies[i].last_strip = strips.last_of(bodies[i].bounds);
+  }
+  return strips;
+}
+
 /// Calls found(pair) for all pairs of bodies whose bounds overlap, in no particular order: a sweep
 /// along the x axis in each strip. Overlapping bodies are both in the later of their first strips,
 /// and are reported there. `bodies` are in the order of a sweep; `lane` has room for as many
 /// indices.
 template <Scalar S, int N, class Lane, class Found>
 constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, const Found& found) {
-  const Strips<S, N> strips(bodies, count);
-  for (std::size_t i = 0; i < count; ++i) {
-    bodies[i].first_strip = strips.first_of(bodies[i].bounds);
-    bodies[i].last_strip = strips.last_of(bodies[i].bounds);
-  }
+  const auto strips = place_in_strips(bodies, count);
   lane.resize(count);
   for (std::size_t strip = 0; strip < strips.count(); ++strip) {
     std::size_t size = 0;
@@ -206,33 +247,36 @@ constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, co
       const bool is_in = bodies[i].first_strip <= strip && strip <= bodies[i].last_strip;
       size += is_in ? 1u : 0u;
     }
-    // Branchless, because it is unpredictable which bodies are apart along another axis: every pair
-    // is written, and the next one overwrites it unless the bodies overlap.
-    std::array<BodyPair, 64> met{};
-    std::size_t met_size = 0;
-    const auto report = [&] {
-      for (std::size_t k = 0; k < met_size; ++k) {
-        found(BodyPair{(std::min)(met[k].a, met[k].b), (std::max)(met[k].a, met[k].b)});
-      }
-      met_size = 0;
-    };
-    for (std::size_t i = 0; i < size; ++i) {
-      const auto& first = bodies[lane[i]];
-      for (std::size_t j = i + 1; j < size; ++j) {
-        const auto& second = bodies[lane[j]];
-        if (second.bounds.least.x > first.bounds.most.x) break;
-        auto meets =
-            static_cast<unsigned>((std::max)(first.first_strip, second.first_strip) == strip);
-        for (int k = 1; k < N; ++k) {
-          meets &= static_cast<unsigned>(second.bounds.least[k] <= first.bounds.most[k]) &
-                   static_cast<unsigned>(first.bounds.least[k] <= second.bounds.most[k]);
-        }
-        met[met_size] = {first.body, second.body};
-        met_size += meets;
-        if (met_size == met.size()) report();
-      }
-    }
-    report();
+    sweep_strip<N>(
+        strip, size, [&](std::size_t i) -> const auto& { return bodies[lane[i]]; }, found);
+  }
+}
+/// The same with lists that grow. `members` receives copies of the entries, strip by strip, which
+/// takes two thirds of the time for 10,000 bodies; `ends` is overwritten.
+template <Scalar S, int N, class Members, class Ends, class Found>
+constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Members& members, Ends& ends,
+                     const Found& found) {
+  const auto strips = place_in_strips(bodies, count);
+  const auto for_each_strip = [&](const SweepEntry<S, N>& body, const auto& f) {
+    for (std::size_t strip = body.first_strip; strip <= body.last_strip; ++strip) f(strip);
+  };
+  ends.clear();
+  ends.resize(strips.count());
+  for (std::size_t i = 0; i < count; ++i) {
+    for_each_strip(bodies[i], [&](std::size_t strip) { ++ends[strip]; });
+  }
+  std::uint32_t end = 0;
+  for (std::size_t strip = 0; strip < strips.count(); ++strip) ends[strip] = end += ends[strip];
+  if (members.size() < end) members.resize(end);
+  for (std::size_t i = count; i-- > 0;) {
+    for_each_strip(bodies[i], [&](std::size_t strip) { members[--ends[strip]] = bodies[i]; });
+  }
+  for (std::size_t strip = 0; strip < strips.count();
+       ++strip) {  // they now begin where `ends` says
+    const auto* first = &members[ends[strip]];
+    const auto next = strip + 1 < strips.count() ? ends[strip + 1] : end;
+    sweep_strip<N>(
+        strip, next - ends[strip], [&](std::size_t i) -> const auto& { return first[i]; }, found);
   }
 }
 

@@ -99,30 +99,30 @@ template <Scalar S, int N, class Shape>
 struct BodyRecord {
   using F = Formats<S>;
 
+  // Mass, inertia, reach and what damping leaves are derived from the others. What every step reads
+  // comes first, in few lines of the cache.
   std::uint32_t generation = 0;  // 0 for an unused index
   BodyMotion motion = BodyMotion::fixed;
   bool sleeps = false;
   std::uint8_t quiet = 0;  // consecutive ticks in which it was slow, up to 255
-  std::uint32_t layers = 0, collides_with = 0;
-  std::uint64_t user = 0;
-  S density{}, friction{}, restitution{}, linear_damping{}, angular_damping{};
-  S gravity_scale = S(1);
-  S rolling_resistance{};
   std::uint8_t locked = 0;
+  typename MassProperties<S, N>::Formats::Mass mass{};
   bool is_sensor = false;
   bool is_fast = false;
-  Shape shape{};  // in the body's frame
-  BodyState<S, N> state{};
+  std::uint32_t layers = 0, collides_with = 0;
+  S friction{}, restitution{}, rolling_resistance{};
+  S gravity_scale = S(1);
+  typename F::Ratio kept_velocity{}, kept_spin{};  // by damping, per substep
   Vec<typename F::Speed, N> push{};  // gained from forces in each substep of the next tick
   Axial<typename F::Spin, N> twist{};
+  BodyState<S, N> state{};
   Vec<typename F::Speed, N> drift{};                                    // from where it is held
   Vec<typename F::Anchor, BodyState<S, N>::orientation_size> anchor{};  // held so; 0: not held
-
-  // Derived from the others.
-  typename MassProperties<S, N>::Formats::Mass mass{};
   Inertia<S, N> inertia{};
   BodyExtent<S, N> reach{};
-  typename F::Ratio kept_velocity{}, kept_spin{};  // by damping, per substep
+  Shape shape{};  // in the body's frame
+  S density{}, linear_damping{}, angular_damping{};
+  std::uint64_t user = 0;
 
   [[nodiscard]] constexpr bool can_move() const noexcept {
     return motion == BodyMotion::dynamic && mass > 0;

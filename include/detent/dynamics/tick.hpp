@@ -441,23 +441,23 @@ class Tick {
            static_cast<std::uint32_t>(i)});
     }
     if (swept_.size() == 0) return;
-    if constexpr (is_growing) {
-      order_entries(swept_, unordered_entries_, lane_);
-    } else {
-      order_entries(swept_);
-    }
-    sweep(&swept_[0], swept_.size(), lane_, [&](const BodyPair& pair) {
+    const auto add = [&](const BodyPair& pair) {
       const Body &a = bodies[pair.a], &b = bodies[pair.b];
       if (meet(a, b) && (a.can_move() || b.can_move()) && !group_.keeps_apart(pair) &&
           pairs_.size() < pair_room) {
         pairs_.push_back(pair);
       }
-    });
+    };
     if constexpr (is_growing) {
+      order_entries(swept_, unordered_entries_, lane_);
+      sweep(&swept_[0], swept_.size(), members_, lane_, add);
       if (pairs_.size() > 32) {
         order_pairs(pairs_, unordered_pairs_, lane_, bodies.size());
         return;
       }
+    } else {
+      order_entries(swept_);
+      sweep(&swept_[0], swept_.size(), lane_, add);
     }
     if (pairs_.size() != 0) std::sort(&pairs_[0], &pairs_[0] + pairs_.size());
   }
@@ -834,7 +834,6 @@ class Tick {
       ready.contact = static_cast<std::uint32_t>(i);
       ready.a = found_.contacts[i].a;
       ready.b = found_.contacts[i].b;
-      ready.twist = {};
       ready.was_pushed = {};
       ready.rolling = nullptr;
     }
@@ -1400,6 +1399,7 @@ class Tick {
   List<std::uint32_t, bodies_room> lane_;
   List<BodyPair, pair_room> pairs_;
   List<SweepEntry<S, N>, 0> unordered_entries_;  // for growing worlds
+  List<SweepEntry<S, N>, 0> members_;            // for growing worlds: of strips
   List<BodyPair, 0> unordered_pairs_;            // for growing worlds
   Search found_;
   List<Search, 0> searches_;  // for growing worlds, on several threads
