@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "detent/cull/prefetch.hpp"
 #include "detent/dynamics/contact_group.hpp"
 #include "detent/dynamics/fast.hpp"
 #include "detent/dynamics/flight.hpp"
@@ -983,8 +984,10 @@ class Tick {
                             const Together& together, const Alone& alone) {
     if constexpr (has_groups) {
       if (are_grouped_) {
+        const bool are_many = groups_.size() * sizeof(groups_[0]) > groups_in_cache;
         const auto visit = [&](std::size_t g) {
           auto& group = groups_[g];
+          if (are_many && g + 2 < groups_.size()) prefetch(&groups_[g + 2], sizeof(group));
           if (group.is_idle) {
             if (Idle == OfIdle::skipped) return;
             if (stay_idle<FastLongLanes, S>(idle_[group.idle], moving_.data())) return;
@@ -1386,6 +1389,9 @@ class Tick {
   static constexpr std::size_t pairs_a_call = 32;
   static constexpr std::size_t contacts_a_call = 32;
   static constexpr std::size_t groups_a_call = 8;
+  // Bytes of groups that stay in a usual second cache from pass to pass, so that a prefetch would only
+  // take time.
+  static constexpr std::size_t groups_in_cache = 1 << 20;
 
   List<Support<S, N>, bodies_room> supports_;
   List<Support<S, N>, 0> held_;               // for worlds that process four contacts at once
