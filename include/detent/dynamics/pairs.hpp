@@ -52,6 +52,14 @@ struct SweepEntry {
   std::uint8_t first_strip = 0, last_strip = 0;
 };
 
+/// Turns the sizes of buckets into where they end, one behind the other. Returns the last end.
+template <class Ends>
+constexpr std::uint32_t sum_up(Ends& ends, std::size_t buckets) noexcept {
+  std::uint32_t end = 0;
+  for (std::size_t k = 0; k < buckets; ++k) ends[k] = end += ends[k];
+  return end;
+}
+
 /// Sorts by counting on a fixed-point coordinate: `from`, which has `count` elements, into `to`.
 /// Buckets are equally wide, and each is sorted; `ends` has room for the number of buckets, a power
 /// of 2. Faster than a comparison sort, whose branches are unpredictable.
@@ -74,8 +82,7 @@ constexpr void sort_by(const T* from, T* to, std::size_t count, Ends& ends, std:
   };
   for (std::size_t k = 0; k < buckets; ++k) ends[k] = 0;
   for (std::size_t i = 0; i < count; ++i) ++ends[bucket_of(from[i])];
-  std::uint32_t end = 0;
-  for (std::size_t k = 0; k < buckets; ++k) ends[k] = end += ends[k];
+  sum_up(ends, buckets);
   for (std::size_t i = count; i-- > 0;) to[--ends[bucket_of(from[i])]] = from[i];
   for (std::size_t k = 0; k < buckets; ++k) {  // they now begin where `ends` says
     const std::size_t begin = ends[k], next = k + 1 < buckets ? ends[k + 1] : count;
@@ -148,8 +155,7 @@ constexpr void order_pairs(Pairs& pairs, Pairs& room, Ends& ends, std::size_t bo
     ends.clear();
     ends.resize(bodies);
     for (std::size_t i = 0; i < from.size(); ++i) ++ends[from[i].*key];
-    std::uint32_t end = 0;
-    for (std::size_t i = 0; i < bodies; ++i) ends[i] = end += ends[i];
+    sum_up(ends, bodies);
     for (std::size_t i = from.size(); i-- > 0;) to[--ends[from[i].*key]] = from[i];
   };
   by(pairs, room, &BodyPair::b);
@@ -252,7 +258,7 @@ constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, co
   }
 }
 /// The same with lists that grow. `members` receives copies of the entries, strip by strip, which
-/// takes two thirds of the time for 10,000 bodies; `ends` is overwritten.
+/// takes 0.6 of the time for 10,000 bodies; `ends` is overwritten.
 template <Scalar S, int N, class Members, class Ends, class Found>
 constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Members& members, Ends& ends,
                      const Found& found) {
@@ -265,14 +271,13 @@ constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Members& membe
   for (std::size_t i = 0; i < count; ++i) {
     for_each_strip(bodies[i], [&](std::size_t strip) { ++ends[strip]; });
   }
-  std::uint32_t end = 0;
-  for (std::size_t strip = 0; strip < strips.count(); ++strip) ends[strip] = end += ends[strip];
+  const auto end = sum_up(ends, strips.count());
   if (members.size() < end) members.resize(end);
   for (std::size_t i = count; i-- > 0;) {
     for_each_strip(bodies[i], [&](std::size_t strip) { members[--ends[strip]] = bodies[i]; });
   }
-  for (std::size_t strip = 0; strip < strips.count();
-       ++strip) {  // they now begin where `ends` says
+  // Strips now begin where `ends` says.
+  for (std::size_t strip = 0; strip < strips.count(); ++strip) {
     const auto* first = &members[ends[strip]];
     const auto next = strip + 1 < strips.count() ? ends[strip + 1] : end;
     sweep_strip<N>(

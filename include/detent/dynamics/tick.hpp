@@ -984,10 +984,10 @@ class Tick {
                             const Together& together, const Alone& alone) {
     if constexpr (has_groups) {
       if (are_grouped_) {
-        const bool are_many = groups_.size() * sizeof(groups_[0]) > groups_in_cache;
+        const bool exceed_cache = groups_.size() * sizeof(groups_[0]) > groups_in_cache;
         const auto visit = [&](std::size_t g) {
           auto& group = groups_[g];
-          if (are_many && g + 2 < groups_.size()) prefetch(&groups_[g + 2], sizeof(group));
+          if (exceed_cache && g + 2 < groups_.size()) prefetch(&groups_[g + 2], sizeof(group));
           if (group.is_idle) {
             if (Idle == OfIdle::skipped) return;
             if (stay_idle<FastLongLanes, S>(idle_[group.idle], moving_.data())) return;
