@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// usage: detent-bench-worlds [--only q16_16|float|bullet] [--steps N] [--passes N] [--snapshots | --threads N] [SCENE...]
+// usage: detent-bench-worlds [--only q16_16|float|bullet] [--steps N] [--passes N]
+//                            [--snapshots | --threads N | --growth] [SCENE...]
 // Steps scenes of bodies in q16_16, in float and in Bullet, alternating step by step, and prints a
 // table as CSV: milliseconds per step, the mean of steps 60 to 299 of the fastest pass. Sleeping is
 // off, except in the scene "asleep". --only runs one of them, for example in a profiler. The last
 // column is the digest of q16_16, which an optimisation must not change. --threads compares one
-// thread with N in wall-clock time.
+// thread with N in wall-clock time. --growth alternates between the scenes instead of the engines, and
+// prints their times as multiples of the first one's.
 
 #include <time.h>
 
@@ -124,7 +126,7 @@ double now(clockid_t clock = CLOCK_THREAD_CPUTIME_ID) {
 struct Options {
   std::string only{};
   int steps = 0, passes = 2;
-  bool snapshots = false;
+  bool snapshots = false, growth = false;
   std::size_t threads = 0;
   std::vector<std::string> scenes{};
 };
@@ -145,33 +147,64 @@ std::vector<Runner> runners_of(const Plan& plan, const Options& options) {
   return runners;
 }
 
-void run(const Plan& plan, const Options& options) {
-  const int steps = options.steps > 0 ? options.steps : plan.steps;
+/// Milliseconds per step of each runner, alternating: the mean of steps from 60 on, each the least of
+/// the passes. `start` makes the runners, which keep their last state.
+template <class Start>
+std::vector<double> alternate(std::vector<Runner>& runners, int steps, int passes,
+                              const Start& start) {
   std::vector<std::vector<double>> least;
-  std::vector<Runner> runners;
-  for (int pass = 0; pass < options.passes; ++pass) {
-    runners = runners_of(plan, options);
+  for (int pass = 0; pass < passes; ++pass) {
+    runners = start();
     least.resize(runners.size(), std::vector<double>(static_cast<std::size_t>(steps), 1e9));
     for (std::size_t i = 0; i < static_cast<std::size_t>(steps); ++i) {
       for (std::size_t r = 0; r < runners.size(); ++r) {
-        const double start = now();
+        const double begin = now();
         runners[r].step();
-        least[r][i] = std::min(least[r][i], now() - start);
+        least[r][i] = std::min(least[r][i], now() - begin);
       }
     }
   }
-  std::printf("%s", plan.name.c_str());
   std::vector<double> times;
   for (const auto& each : least) {
     double sum = 0;
     const int first = std::min(60, steps / 2);
     for (int i = first; i < steps; ++i) sum += each[static_cast<std::size_t>(i)];
     times.push_back(sum / (steps - first));
-    std::printf(",%.4f", times.back());
   }
+  return times;
+}
+
+void run(const Plan& plan, const Options& options) {
+  const int steps = options.steps > 0 ? options.steps : plan.steps;
+  std::vector<Runner> runners;
+  const auto times =
+      alternate(runners, steps, options.passes, [&] { return runners_of(plan, options); });
+  std::printf("%s", plan.name.c_str());
+  for (const double time : times) std::printf(",%.4f", time);
   for (std::size_t r = 1; r < times.size(); ++r) std::printf(",%.2f", times[0] / times[r]);
   std::printf(",%016llx\n", static_cast<unsigned long long>(runners.front().digest()));
   std::fflush(stdout);
+}
+
+/// How times grow with scenes, in each engine.
+void compare_scenes(const std::vector<Plan>& plans, const Options& options) {
+  const int steps = options.steps > 0 ? options.steps : plans.front().steps;
+  for (const auto& engine : runners_of(plans.front(), options)) {
+    Options only = options;
+    only.only = engine.name;
+    std::vector<Runner> runners;
+    const auto times = alternate(runners, steps, options.passes, [&] {
+      std::vector<Runner> all;
+      for (const auto& plan : plans) all.push_back(runners_of(plan, only).front());
+      return all;
+    });
+    std::printf("%s", engine.name.c_str());
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      std::printf(",%s,%.4f,%.2f", plans[i].name.c_str(), times[i], times[i] / times[0]);
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+  }
 }
 
 /// The costs of a rollback besides steps: copying a world and back, and its snapshot and back.
@@ -247,14 +280,22 @@ int main(int count, char** arguments) {
       options.snapshots = true;
     } else if (argument == "--threads" && has_value) {
       options.threads = static_cast<std::size_t>(std::atoi(arguments[++i]));
+    } else if (argument == "--growth") {
+      options.growth = true;
     } else {
       options.scenes.push_back(argument);
     }
   }
-  for (const auto& plan : all_plans()) {
+  auto plans = all_plans();
+  std::erase_if(plans, [&](const Plan& plan) {
     const auto& wanted = options.scenes;
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), plan.name) == wanted.end())
-      continue;
+    return !wanted.empty() && std::find(wanted.begin(), wanted.end(), plan.name) == wanted.end();
+  });
+  if (options.growth && !plans.empty()) {
+    compare_scenes(plans, options);
+    return 0;
+  }
+  for (const auto& plan : plans) {
     if (options.threads != 0) {
       time_threads(plan, options);
     } else {

@@ -13,6 +13,7 @@ namespace {
 using S = q16_16;
 using F = detail::Formats<S>;
 using Ready = detail::ReadyContact<S, 3>;
+using Rows = detail::ContactRows<S, 3>;
 using State = detail::BodyContact<S, 3>;
 using Bodies = std::vector<detail::Moving<S, 3>>;
 
@@ -27,6 +28,7 @@ void draw(Random& random, int bits, std::array<T, 3>& v) {
 
 struct Contacts {
   std::vector<Ready> ready;
+  std::vector<Rows> rows;
   std::vector<State> state;
   Bodies bodies;
 };
@@ -45,6 +47,7 @@ Contacts contacts_of(Random& random, std::size_t size, int bits) {
   const int share = 29, moment = 25, response = random.coin() ? 22 : 24;
   for (std::size_t k = 0; k < size; ++k) {
     Ready ready;
+    Rows rows;
     State state;
     ready.contact = static_cast<std::uint32_t>(k);
     ready.a = static_cast<std::uint32_t>(2 * k + 1);
@@ -66,20 +69,21 @@ Contacts contacts_of(Random& random, std::size_t size, int bits) {
       }
       row.mass = F::Ratio::assume_raw(static_cast<std::int32_t>(random.between(0, 1 << 30)));
     };
-    draw_push(ready.normal);
-    for (auto& push : ready.tangent) draw_push(push);
-    for (auto& row : ready.friction) draw_row(row);
-    draw_row(ready.twist);
+    draw_push(rows.normal);
+    for (auto& push : rows.tangent) draw_push(push);
+    for (auto& row : rows.friction) draw_row(row);
+    draw_row(rows.twist);
     for (std::size_t i = 0; i < ready.count; ++i) {
-      draw_row(ready.pressure[i]);
+      draw_row(rows.pressure[i]);
       ready.gap[i] = draw<F::Speed>(random, bits);
       ready.gap_now[i] = draw<F::Speed>(random, bits);
-      ready.reach[i] = narrow_abs(draw<F::Ratio>(random, 29));
+      rows.reach[i] = narrow_abs(draw<F::Ratio>(random, 29));
       state.pressure[i] = random.coin() ? F::Impulse() : narrow_abs(draw<F::Impulse>(random, bits));
     }
     for (auto& x : state.friction) x = draw<F::Impulse>(random, bits);
     ready.grip = narrow_abs(draw<F::Ratio>(random, 29));
     all.ready.push_back(ready);
+    all.rows.push_back(rows);
     all.state.push_back(state);
   }
   return all;
@@ -99,7 +103,7 @@ bool run(const Contacts& start, const Together& together, const Alone& alone) {
   auto expected = start, found = start;
   detail::ContactGroup<S> group;
   group.size = static_cast<std::uint8_t>(start.ready.size());
-  detail::gather(group, found.ready.data(), found.state.data());
+  detail::gather(group, found.ready.data(), found.rows.data(), found.state.data());
   detail::GroupSolver<L, S> solver(group, found.bodies.data());
   if (!together(solver)) {
     detail::scatter(group, found.ready.data(), found.state.data());
@@ -108,8 +112,10 @@ bool run(const Contacts& start, const Together& together, const Alone& alone) {
     return false;
   }
   detail::scatter(group, found.ready.data(), found.state.data());
-  for (auto& ready : expected.ready) {
-    alone(ready, expected.state[ready.contact], expected.bodies[ready.a], expected.bodies[ready.b]);
+  for (std::size_t k = 0; k < start.ready.size(); ++k) {
+    auto& ready = expected.ready[k];
+    alone(ready, expected.rows[k], expected.state[ready.contact], expected.bodies[ready.a],
+          expected.bodies[ready.b]);
   }
   REQUIRE(are_equal(found.bodies, expected.bodies));
   REQUIRE(found.state == expected.state);
@@ -137,17 +143,19 @@ TEMPLATE_TEST_CASE("contact groups: four contacts at once have the bits of one a
     using detail::Pass;
     solved += run<L>(
         start, [](auto& solver) { return solver.warm_start(); },
-        [](auto& ready, auto& state, auto& a, auto& b) { detail::warm_start(ready, state, a, b); });
+        [](auto& ready, auto& rows, auto& state, auto& a, auto& b) {
+          detail::warm_start(ready, rows, state, a, b);
+        });
     solved += run<L>(
         start, [&](auto& solver) { return solver.template solve<Pass::biased>(fastest, substep); },
-        [&](auto& ready, auto& state, auto& a, auto& b) {
-          detail::solve_pressure<Pass::biased>(ready, state, a, b, fastest, substep);
+        [&](auto& ready, auto& rows, auto& state, auto& a, auto& b) {
+          detail::solve_pressure<Pass::biased>(ready, rows, state, a, b, fastest, substep);
         });
     solved += run<L>(
         start, [&](auto& solver) { return solver.template solve<Pass::relaxed>(fastest, substep); },
-        [&](auto& ready, auto& state, auto& a, auto& b) {
-          detail::solve_pressure<Pass::relaxed>(ready, state, a, b, fastest, substep);
-          detail::solve_friction(ready, state, a, b);
+        [&](auto& ready, auto& rows, auto& state, auto& a, auto& b) {
+          detail::solve_pressure<Pass::relaxed>(ready, rows, state, a, b, fastest, substep);
+          detail::solve_friction(ready, rows, state, a, b);
         });
   }
   CAPTURE(solved);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "detent/dynamics/flight.hpp"
+#include "detent/dynamics/rolling.hpp"
 #include "dynamics/draw.hpp"
 #include "support/catch.hpp"
 
@@ -14,6 +15,7 @@ namespace {
 using S = q16_16;
 using F = detail::Formats<S>;
 using Ready = detail::ReadyContact<S, 3>;
+using Rows = detail::ContactRows<S, 3>;
 using State = detail::BodyContact<S, 3>;
 using Group = detail::ContactGroup<S>;
 
@@ -109,6 +111,11 @@ template <class L>
 bool check(const Scene& start) {
   auto expected = start.ready, found = start.ready;
   const std::size_t size = found.size();
+  // Rows of an earlier step, in which the contacts resisted rolling.
+  const detail::Rolling<S, 3> rolling{};
+  Rows used;
+  used.rolling = &rolling;
+  std::vector<Rows> expected_rows(size, used), found_rows(size, used);
   detail::FourContacts<S> from;
   for (std::size_t k = 0; k < detail::long_lane_count; ++k) {
     const std::size_t c = k < size ? k : 0;
@@ -123,20 +130,23 @@ bool check(const Scene& start) {
   if (!detail::prepare_four<L, S>(group, from, start.supports.data(), found.data())) return false;
   detail::gather_impulses(group, found.data(), start.states.data());
   for (std::size_t k = 0; k < size; ++k) {
-    detail::prepare(expected[k], start.manifolds[k], start.supports[2 * k],
+    detail::prepare(expected[k], expected_rows[k], start.manifolds[k], start.supports[2 * k],
                     start.supports[2 * k + 1], start.offsets[k], start.shares[k][0],
                     start.shares[k][1]);
   }
-  detail::gather(wanted, expected.data(), start.states.data());
+  detail::gather(wanted, expected.data(), expected_rows.data(), start.states.data());
   require_equal(group, wanted);
   // Contacts that are solved alone get their rows from the group.
   REQUIRE(!group.has_rows);
-  detail::spread_rows(group, found.data());
+  detail::spread_rows(group, found.data(), found_rows.data());
   Group again;
   again.size = group.size;
-  detail::gather(again, found.data(), start.states.data());
+  detail::gather(again, found.data(), found_rows.data(), start.states.data());
   require_equal(again, wanted);
-  for (std::size_t k = 0; k < size; ++k) REQUIRE(found[k].gap == expected[k].gap);
+  for (std::size_t k = 0; k < size; ++k) {
+    REQUIRE(found[k].gap == expected[k].gap);
+    REQUIRE((expected_rows[k].rolling == nullptr && found_rows[k].rolling == nullptr));
+  }
   return true;
 }
 

@@ -73,15 +73,16 @@ bool is_left_alone(const Contact& contact, const Bodies& bodies, std::size_t k) 
   const auto half = F::Ratio::assume_raw(1 << 29);
   const bool is_fixed = contact.a.is_fixed;
   detail::ReadyContact<S, 3> ready;
+  detail::ContactRows<S, 3> rows;
   detail::BodyContact<S, 3> state;
-  detail::prepare<S, 3>(ready, contact.manifold, contact.a, contact.b, contact.offset,
+  detail::prepare<S, 3>(ready, rows, contact.manifold, contact.a, contact.b, contact.offset,
                         is_fixed ? F::Ratio(0) : half, is_fixed ? F::Ratio(1) : half);
   ready.grip = F::Ratio(1);
-  detail::measure_gaps(ready, a, b);
+  detail::measure_gaps(ready, rows, a, b);
   const auto fastest = F::Speed::assume_raw(1 << 20);
-  detail::solve_pressure<detail::Pass::biased>(ready, state, a, b, fastest, 0);
-  detail::solve_pressure<detail::Pass::relaxed>(ready, state, a, b, fastest, 0);
-  detail::solve_friction(ready, state, a, b);
+  detail::solve_pressure<detail::Pass::biased>(ready, rows, state, a, b, fastest, 0);
+  detail::solve_pressure<detail::Pass::relaxed>(ready, rows, state, a, b, fastest, 0);
+  detail::solve_friction(ready, rows, state, a, b);
   bool is_alone = state == detail::BodyContact<S, 3>() && a.velocity == va && b.velocity == vb &&
                   a.spin == wa && b.spin == wb;
   for (std::size_t i = 0; i < ready.count; ++i) is_alone = is_alone && ready.gap_now[i] > 0;

@@ -201,7 +201,8 @@ TEST_CASE("rolling: a pass removes no more rotational energy than there is") {
                                       detail::share_of<S, 3>(support[1].spread, half));
     detail::ReadyContact<S, 3> ready;
     ready.count = 1;
-    ready.rolling = &rolling;
+    detail::ContactRows<S, 3> rows;
+    rows.rolling = &rolling;
     detail::RollingContact<S, 3> contact;
     contact.pressure[0] = F::Impulse::assume_raw(1 << 30);
     double before = 1e9;
@@ -214,7 +215,7 @@ TEST_CASE("rolling: a pass removes no more rotational energy than there is") {
       CAPTURE(k, pass, sum, before);
       REQUIRE(sum <= before * (1 + 1e-6) + 1e-15);
       before = sum;
-      detail::solve_rolling(ready, contact, moving[0], moving[1]);
+      detail::solve_rolling(ready, rows, contact, moving[0], moving[1]);
     }
   }
 }

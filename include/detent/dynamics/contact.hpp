@@ -76,7 +76,8 @@ struct Support {
 template <Scalar S, int N>
 struct Rolling;
 
-/// A contact, ready to be solved. Impulses are in its `BodyContact`.
+/// A contact, ready to be solved. Impulses are in its `BodyContact`, rows in its `ContactRows` or
+/// its group.
 template <Scalar S, int N>
 struct ReadyContact {
   using F = Formats<S>;
@@ -89,9 +90,17 @@ struct ReadyContact {
   Pushed pushed{};
   std::array<bool, capacity> was_pushed{};
   typename F::Ratio grip{}, bounce{};
-  const Rolling<S, N>* rolling = nullptr;             // if it resists rolling
   std::array<typename F::Speed, capacity> gap{};      // at the start of the tick
   std::array<typename F::Speed, capacity> gap_now{};  // after the last move
+};
+
+/// The rows of a contact that is solved alone.
+template <Scalar S, int N>
+struct ContactRows {
+  using F = Formats<S>;
+  static constexpr std::size_t capacity = ReadyContact<S, N>::capacity;
+
+  const Rolling<S, N>* rolling = nullptr;  // if it resists rolling
   Thrust<S, N> normal{};
   std::array<Thrust<S, N>, std::size_t{N - 1}> tangent{};
   std::array<Row<S, N>, capacity> pressure{};
@@ -170,9 +179,9 @@ template <Scalar S, int N, Number T>
 ///
 /// `offset` is the position of b relative to a, as in the relative pose.
 template <Scalar S, int N>
-constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold,
-                       const Support<S, N>& a, const Support<S, N>& b,
-                       const Vec<typename Formats<S>::Lever, N>& offset,
+constexpr void prepare(ReadyContact<S, N>& ready, ContactRows<S, N>& rows,
+                       const Manifold<S, N>& manifold, const Support<S, N>& a,
+                       const Support<S, N>& b, const Vec<typename Formats<S>::Lever, N>& offset,
                        const typename Formats<S>::Ratio& share_a,
                        const typename Formats<S>::Ratio& share_b) noexcept {
   using F = Formats<S>;
@@ -185,8 +194,9 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
   ready.is_wall = share_a == 0 || share_b == 0;
   ready.pushed = {share_a != 0, share_b != 0};
   const auto n = out_of_axes<S, N>(a.axes, manifold.normal);
-  ready.normal = push_along<S, N>(n, share_a, share_b);
-  const auto stuck = lock<S, N>(ready.normal, a.locked, b.locked);
+  rows.rolling = nullptr;
+  rows.normal = push_along<S, N>(n, share_a, share_b);
+  const auto stuck = lock<S, N>(rows.normal, a.locked, b.locked);
 
   const auto row_at = [&](const Vec<Arm, N>& from_a, const Vec<Arm, N>& from_b,
                           const Vec<Ratio, N>& along, const typename F::Give& lost) {
@@ -201,7 +211,7 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
   for (std::size_t i = 0; i < count; ++i) {
     const auto& point = manifold.points[i];
     at[i] = out_of_axes<S, N>(a.axes, point.point);
-    ready.pressure[i] = row_at(nearest_to<Arm>(at[i]), nearest_to<Arm>(at[i] - offset), n, stuck);
+    rows.pressure[i] = row_at(nearest_to<Arm>(at[i]), nearest_to<Arm>(at[i] - offset), n, stuck);
     ready.gap[i] = ready.gap_now[i] = saturate_to<typename F::Speed>(point.separation);
   }
 
@@ -213,13 +223,13 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
   });
   const auto across = tangents<S, N>(n);
   for (std::size_t t = 0; t < across.size(); ++t) {
-    ready.tangent[t] = push_along<S, N>(across[t], share_a, share_b);
-    const auto slip = lock<S, N>(ready.tangent[t], a.locked, b.locked);
-    ready.friction[t] =
+    rows.tangent[t] = push_along<S, N>(across[t], share_a, share_b);
+    const auto slip = lock<S, N>(rows.tangent[t], a.locked, b.locked);
+    rows.friction[t] =
         row_at(nearest_to<Arm>(middle), nearest_to<Arm>(middle - offset), across[t], slip);
   }
   if constexpr (N == 3) {
-    ready.twist = {};
+    rows.twist = {};
     std::array<Arm, ReadyContact<S, N>::capacity> distance{};
     Arm farthest{};
     for (std::size_t i = 0; i < count; ++i) {
@@ -227,14 +237,14 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
       farthest = (std::max)(farthest, distance[i]);
     }
     for (std::size_t i = 0; i < count; ++i) {
-      ready.reach[i] = farthest == 0 ? Ratio{} : quotient_nearest<Ratio>(distance[i], farthest);
+      rows.reach[i] = farthest == 0 ? Ratio{} : quotient_nearest<Ratio>(distance[i], farthest);
     }
     for (int i = 0; i < 3; ++i) {
       const auto lever = nearest_to<typename F::Moment>(farthest * n[i]);
-      if (!a.is_fixed) ready.twist.moment_a[static_cast<std::size_t>(i)] = lever;
-      if (!b.is_fixed) ready.twist.moment_b[static_cast<std::size_t>(i)] = lever;
+      if (!a.is_fixed) rows.twist.moment_a[static_cast<std::size_t>(i)] = lever;
+      if (!b.is_fixed) rows.twist.moment_b[static_cast<std::size_t>(i)] = lever;
     }
-    complete<S, N>(ready.twist, spread_a, spread_b);
+    complete<S, N>(rows.twist, spread_a, spread_b);
   }
 }
 

@@ -26,7 +26,7 @@ struct ContactGroup {
 
   std::uint32_t first = 0;           // index of the first in the list of ready contacts
   std::uint8_t size = 0, count = 0;  // number of contacts, and the most points of any
-  bool has_rows = false;             // whether the ready contacts have the rows too
+  bool has_rows = false;             // whether the contacts have the rows too
   bool are_even = false;             // impulses change both velocities of each contact equally
   bool is_idle = false;              // its contacts have no impulses, and no rows yet
   std::uint32_t idle = 0;            // index in the list of idle groups
@@ -71,10 +71,10 @@ constexpr void place_surface(ContactGroup<S>& group, const ReadyContact<S, 3>& c
   group.grip[k] = contact.grip;
 }
 
-/// Calls exchange(x, y) for every number x of the rows of contact k of a group and its counterpart
-/// y in the ready contact.
-template <class Group, class Ready, class Exchange>
-constexpr void exchange_rows(Group& group, Ready& contact, std::size_t k,
+/// Calls exchange(x, y) for every number x of the rows of contact k of a group, with `count` points,
+/// and its counterpart y in the contact's own rows.
+template <class Group, class Rows, class Exchange>
+constexpr void exchange_rows(Group& group, Rows& rows, std::size_t k, std::size_t count,
                              const Exchange& exchange) noexcept {
   const auto each = [&](auto& side, auto& vector) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -97,21 +97,21 @@ constexpr void exchange_rows(Group& group, Ready& contact, std::size_t k,
     each(side.response_b, row.response_b);
     exchange(side.mass[k], row.mass);
   };
-  push(group.normal, contact.normal);
+  push(group.normal, rows.normal);
   for (std::size_t t = 0; t < 2; ++t) {
-    push(group.tangent[t], contact.tangent[t]);
-    lever(group.friction[t], contact.friction[t]);
+    push(group.tangent[t], rows.tangent[t]);
+    lever(group.friction[t], rows.friction[t]);
   }
-  lever(group.twist, contact.twist);
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    lever(group.pressure[i], contact.pressure[i]);
-    exchange(group.reach[i][k], contact.reach[i]);
+  lever(group.twist, rows.twist);
+  for (std::size_t i = 0; i < count; ++i) {
+    lever(group.pressure[i], rows.pressure[i]);
+    exchange(group.reach[i][k], rows.reach[i]);
   }
 }
 
 template <Scalar S, class Contact>
 constexpr void gather(ContactGroup<S>& group, const ReadyContact<S, 3>* ready,
-                      const Contact* contacts) noexcept {
+                      const ContactRows<S, 3>* rows, const Contact* contacts) noexcept {
   const auto first = group.first;
   const auto size = group.size;
   group = {};
@@ -126,20 +126,22 @@ constexpr void gather(ContactGroup<S>& group, const ReadyContact<S, 3>* ready,
     group.count = (std::max)(group.count, contact.count);
     group.pushes_a[k] = contact.pushed.a;
     group.pushes_b[k] = contact.pushed.b;
-    exchange_rows(group, contact, k, [](auto& to, const auto& from) { to = from; });
+    exchange_rows(group, rows[k], k, contact.count, [](auto& to, const auto& from) { to = from; });
     for (std::size_t i = 0; i < contact.count; ++i) group.gap[i][k] = contact.gap[i];
     place_surface(group, contact, k);
   }
   gather_impulses(group, ready, contacts);
 }
 
-/// Copies the rows of a group to its ready contacts, unless they have them.
+/// Copies the rows of a group to its contacts, unless they have them.
 template <Scalar S>
-constexpr void spread_rows(ContactGroup<S>& group, ReadyContact<S, 3>* ready) noexcept {
+constexpr void spread_rows(ContactGroup<S>& group, const ReadyContact<S, 3>* ready,
+                           ContactRows<S, 3>* rows) noexcept {
   if (group.has_rows) return;
   group.has_rows = true;
   for (std::size_t k = 0; k < group.size; ++k) {
-    exchange_rows(group, ready[k], k, [](const auto& from, auto& to) { to = from; });
+    rows[k].rolling = nullptr;
+    exchange_rows(group, rows[k], k, ready[k].count, [](const auto& from, auto& to) { to = from; });
   }
 }
 

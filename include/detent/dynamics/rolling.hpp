@@ -144,23 +144,24 @@ constexpr void roll(const Rolling<S, N>& rolling, int k,
 
 /// Warm-starts a substep with the impulses of the last one.
 template <Scalar S, int N>
-constexpr void warm_start_rolling(const ReadyContact<S, N>& ready,
+constexpr void warm_start_rolling(const ReadyContact<S, N>& ready, const ContactRows<S, N>& rows,
                                   const RollingContact<S, N>& contact, Moving<S, N>& a,
                                   Moving<S, N>& b) noexcept {
-  if (ready.rolling == nullptr) return;
+  if (rows.rolling == nullptr) return;
   for (std::size_t k = 0; k < contact.rolling.size(); ++k) {
-    roll(*ready.rolling, static_cast<int>(k), contact.rolling[k], a, b, ready.pushed);
+    roll(*rows.rolling, static_cast<int>(k), contact.rolling[k], a, b, ready.pushed);
   }
 }
 
 /// Slows the relative rotation of both bodies about all axes, within the limit of their contact.
 template <Scalar S, int N>
-constexpr void solve_rolling(const ReadyContact<S, N>& ready, RollingContact<S, N>& contact,
-                             Moving<S, N>& a, Moving<S, N>& b) noexcept {
+constexpr void solve_rolling(const ReadyContact<S, N>& ready, const ContactRows<S, N>& rows,
+                             RollingContact<S, N>& contact, Moving<S, N>& a,
+                             Moving<S, N>& b) noexcept {
   using F = Formats<S>;
   using Impulse = typename F::Impulse;
-  if (ready.rolling == nullptr) return;
-  const auto& rolling = *ready.rolling;
+  if (rows.rolling == nullptr) return;
+  const auto& rolling = *rows.rolling;
   auto pressure = narrow<34>(Impulse() + Impulse());
   for (std::size_t i = 0; i < ready.count; ++i) {
     pressure = narrow<34>(pressure + contact.pressure[i]);

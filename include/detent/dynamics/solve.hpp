@@ -7,15 +7,16 @@ namespace detent::detail {
 
 /// Warm-starts a substep with the impulses of the last one.
 template <Scalar S, int N>
-constexpr void warm_start(const ReadyContact<S, N>& ready, const BodyContact<S, N>& contact,
-                          Moving<S, N>& a, Moving<S, N>& b) noexcept {
+constexpr void warm_start(const ReadyContact<S, N>& ready, const ContactRows<S, N>& rows,
+                          const BodyContact<S, N>& contact, Moving<S, N>& a,
+                          Moving<S, N>& b) noexcept {
   for (std::size_t i = 0; i < ready.count; ++i) {
-    apply(ready.normal, ready.pressure[i], contact.pressure[i], a, b, ready.pushed);
+    apply(rows.normal, rows.pressure[i], contact.pressure[i], a, b, ready.pushed);
   }
-  for (std::size_t t = 0; t < ready.friction.size(); ++t) {
-    apply(ready.tangent[t], ready.friction[t], contact.friction[t], a, b, ready.pushed);
+  for (std::size_t t = 0; t < rows.friction.size(); ++t) {
+    apply(rows.tangent[t], rows.friction[t], contact.friction[t], a, b, ready.pushed);
   }
-  if constexpr (N == 3) turn_both(ready.twist, contact.friction[2], a, b, ready.pushed);
+  if constexpr (N == 3) turn_both(rows.twist, contact.friction[2], a, b, ready.pushed);
 }
 
 /// Adds `change` to the impulse `total`, which stays in [0, its range].
@@ -45,8 +46,8 @@ template <Pass P, std::size_t Capacity>
 ///
 /// m t <= 2^60 and loss * total <= 2^57 steps: their difference fits 62 bits.
 template <Pass P, Scalar S, int N>
-constexpr void solve_pressure(ReadyContact<S, N>& ready, BodyContact<S, N>& contact,
-                              Moving<S, N>& a, Moving<S, N>& b,
+constexpr void solve_pressure(ReadyContact<S, N>& ready, const ContactRows<S, N>& rows,
+                              BodyContact<S, N>& contact, Moving<S, N>& a, Moving<S, N>& b,
                               const typename Formats<S>::Speed& fastest,
                               std::size_t substep) noexcept {
   using F = Formats<S>;
@@ -57,13 +58,13 @@ constexpr void solve_pressure(ReadyContact<S, N>& ready, BodyContact<S, N>& cont
   for (std::size_t k = 0; k < capacity; ++k) {
     const auto i = nth_point<P, capacity>(k, substep);
     if (i >= ready.count) continue;
-    const auto& row = ready.pressure[i];
+    const auto& row = rows.pressure[i];
     auto& total = contact.pressure[i];
     const auto rate =
-        rate_along<S, N>(ready.normal.along, row, a.velocity, a.spin, b.velocity, b.spin);
+        rate_along<S, N>(rows.normal.along, row, a.velocity, a.spin, b.velocity, b.spin);
     if constexpr (P == Pass::relaxed) {
       ready.gap_now[i] =
-          rate_along<S, N>(ready.normal.along, row, a.shift, a.turn, b.shift, b.turn, ready.gap[i]);
+          rate_along<S, N>(rows.normal.along, row, a.shift, a.turn, b.shift, b.turn, ready.gap[i]);
     }
     const auto gap = ready.gap_now[i];
     Impulse change;
@@ -79,17 +80,17 @@ constexpr void solve_pressure(ReadyContact<S, N>& ready, BodyContact<S, N>& cont
     } else {
       change = nearest_to<Impulse>(narrow_negative(narrow<62>(row.mass * rate)));
     }
-    apply(ready.normal, row, push_more<S>(total, change), a, b, ready.pushed);
+    apply(rows.normal, row, push_more<S>(total, change), a, b, ready.pushed);
     ready.was_pushed[i] = ready.was_pushed[i] || total > 0;
   }
 }
 
 /// The gap of each point, with the motion of the bodies since they were held.
 template <Scalar S, int N>
-constexpr void measure_gaps(ReadyContact<S, N>& ready, const Moving<S, N>& a,
-                            const Moving<S, N>& b) noexcept {
+constexpr void measure_gaps(ReadyContact<S, N>& ready, const ContactRows<S, N>& rows,
+                            const Moving<S, N>& a, const Moving<S, N>& b) noexcept {
   for (std::size_t i = 0; i < ready.count; ++i) {
-    ready.gap_now[i] = rate_along<S, N>(ready.normal.along, ready.pressure[i], a.shift, a.turn,
+    ready.gap_now[i] = rate_along<S, N>(rows.normal.along, rows.pressure[i], a.shift, a.turn,
                                         b.shift, b.turn, ready.gap[i]);
   }
 }
@@ -113,8 +114,9 @@ constexpr void clamp_to_disc(std::array<Impulse, std::size_t{N - 1}>& impulse,
 
 /// Friction at the middle of a contact, in 3D also against twisting about its normal.
 template <Scalar S, int N>
-constexpr void solve_friction(const ReadyContact<S, N>& ready, BodyContact<S, N>& contact,
-                              Moving<S, N>& a, Moving<S, N>& b) noexcept {
+constexpr void solve_friction(const ReadyContact<S, N>& ready, const ContactRows<S, N>& rows,
+                              BodyContact<S, N>& contact, Moving<S, N>& a,
+                              Moving<S, N>& b) noexcept {
   using F = Formats<S>;
   using Impulse = typename F::Impulse;
   constexpr std::size_t tangents = N - 1;
@@ -138,24 +140,24 @@ constexpr void solve_friction(const ReadyContact<S, N>& ready, BodyContact<S, N>
     auto at_lever = narrow<34>(Impulse() + Impulse());
     for (std::size_t i = 0; i < ready.count; ++i) {
       at_lever = narrow<34>(at_lever +
-                            nearest_to<Impulse>(narrow<62>(ready.reach[i] * contact.pressure[i])));
+                            nearest_to<Impulse>(narrow<62>(rows.reach[i] * contact.pressure[i])));
     }
     const auto limit = limit_of(at_lever);
-    const auto spinning = turning_along<S, N>(ready.twist, a.spin, b.spin);
+    const auto spinning = turning_along<S, N>(rows.twist, a.spin, b.spin);
     auto twist = saturate_to<Impulse>(contact.friction[2] -
-                                      nearest_to<Impulse>(narrow<62>(ready.twist.mass * spinning)));
+                                      nearest_to<Impulse>(narrow<62>(rows.twist.mass * spinning)));
     twist = (std::clamp)(twist, narrow_negative(limit), limit);
-    turn_both(ready.twist, change(twist, contact.friction[2]), a, b, ready.pushed);
+    turn_both(rows.twist, change(twist, contact.friction[2]), a, b, ready.pushed);
     contact.friction[2] = twist;
   }
 
   std::array<Impulse, tangents> impulse{};
   for (std::size_t t = 0; t < tangents; ++t) {
-    impulse[t] = wanted(ready.tangent[t].along, ready.friction[t], contact.friction[t]);
+    impulse[t] = wanted(rows.tangent[t].along, rows.friction[t], contact.friction[t]);
   }
   clamp_to_disc<S, N>(impulse, limit_of(pressure));
   for (std::size_t t = 0; t < tangents; ++t) {
-    apply(ready.tangent[t], ready.friction[t], change(impulse[t], contact.friction[t]), a, b,
+    apply(rows.tangent[t], rows.friction[t], change(impulse[t], contact.friction[t]), a, b,
           ready.pushed);
     contact.friction[t] = impulse[t];
   }
@@ -163,21 +165,22 @@ constexpr void solve_friction(const ReadyContact<S, N>& ready, BodyContact<S, N>
 
 /// Bounces bodies that met faster than `threshold`.
 template <Scalar S, int N>
-constexpr void bounce(const ReadyContact<S, N>& ready, BodyContact<S, N>& contact, Moving<S, N>& a,
-                      Moving<S, N>& b, const typename Formats<S>::Speed& threshold) noexcept {
+constexpr void bounce(const ReadyContact<S, N>& ready, const ContactRows<S, N>& rows,
+                      BodyContact<S, N>& contact, Moving<S, N>& a, Moving<S, N>& b,
+                      const typename Formats<S>::Speed& threshold) noexcept {
   using F = Formats<S>;
   using Speed = typename F::Speed;
   using Impulse = typename F::Impulse;
   if (ready.bounce == 0) return;
   for (std::size_t i = 0; i < ready.count; ++i) {
-    if (!ready.was_pushed[i] || ready.closing[i] >= narrow_negative(threshold)) continue;
-    const auto& row = ready.pressure[i];
+    if (!ready.was_pushed[i] || rows.closing[i] >= narrow_negative(threshold)) continue;
+    const auto& row = rows.pressure[i];
     const auto rate =
-        rate_along<S, N>(ready.normal.along, row, a.velocity, a.spin, b.velocity, b.spin);
+        rate_along<S, N>(rows.normal.along, row, a.velocity, a.spin, b.velocity, b.spin);
     const auto wanted =
-        saturate_to<Speed>(rate + nearest_to<Speed>(narrow<62>(ready.bounce * ready.closing[i])));
+        saturate_to<Speed>(rate + nearest_to<Speed>(narrow<62>(ready.bounce * rows.closing[i])));
     const auto change = nearest_to<Impulse>(narrow_negative(narrow<62>(row.mass * wanted)));
-    apply(ready.normal, row, push_more<S>(contact.pressure[i], change), a, b, ready.pushed);
+    apply(rows.normal, row, push_more<S>(contact.pressure[i], change), a, b, ready.pushed);
   }
 }
 

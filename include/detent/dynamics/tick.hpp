@@ -59,6 +59,8 @@ class Tick {
   static constexpr std::size_t passes_room = Storage::capacity;
   using Bodies = typename Storage::template List<Body, bodies_room>;
   using Contacts = typename Storage::template List<ContactState, contacts_room>;
+  using Ready = ReadyContact<S, N>;
+  using Rows = ContactRows<S, N>;
 
   static constexpr bool has_compounds = (is_compound_body<Parts> || ...);
 
@@ -104,8 +106,8 @@ class Tick {
     }
     scatter_all(threads);
     group_.finish(joints);
-    for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
-      bounce(ready, found_.contacts[ready.contact], moving_[ready.a], moving_[ready.b],
+    for_each_ready(ends, threads, [&](Ready& ready, const Rows& rows) {
+      bounce(ready, rows, found_.contacts[ready.contact], moving_[ready.a], moving_[ready.b],
              pace.bounce);
     });
     finish(bodies, pace);
@@ -828,6 +830,7 @@ class Tick {
     }
     busy_ends_ = idle_start;
     ready_.resize(start[colours]);  // filled when contacts are prepared
+    rows_.resize(start[colours]);
     for (std::size_t i = 0; i < found_.contacts.size(); ++i) {
       if (colour_[i] == asleep) continue;
       const std::size_t colour = colour_[i] & (colours - 1);
@@ -836,7 +839,6 @@ class Tick {
       ready.a = found_.contacts[i].a;
       ready.b = found_.contacts[i].b;
       ready.was_pushed = {};
-      ready.rolling = nullptr;
     }
     for (std::size_t c = 0; c < colours; ++c) start[c] = idle_start[c];
     return start;
@@ -875,7 +877,7 @@ class Tick {
   /// Calls f for each awake contact in order of colours, in parallel for those of one colour.
   template <class Threads, class Visit>
   constexpr void for_each_ready(const ColourEnds& ends, const Threads& threads, const Visit& f) {
-    const auto visit = [&](std::size_t i) { f(ready_[i]); };
+    const auto visit = [&](std::size_t i) { f(ready_[i], rows_[i]); };
     std::size_t first = 0;
     if constexpr (Threads::are_many) {
       for (std::size_t c = 0; c + 1 < colours; ++c) {
@@ -936,6 +938,7 @@ class Tick {
   constexpr void prepare_group(const Bodies& bodies, ContactGroup<S>& group) requires(has_groups) {
     FourContacts<S> from;
     auto* ready = &ready_[group.first];
+    auto* rows = &rows_[group.first];
     bool is_free = true, bounces = false;
     for (std::size_t k = 0; k < long_lane_count; ++k) {
       auto& contact = ready[k < group.size ? k : 0];
@@ -955,12 +958,12 @@ class Tick {
     }
     if (is_free && prepare_four<FastLongLanes, S>(group, from, held().data(), ready)) {
       gather_impulses(group, ready, found_.contacts.data());
-      if (bounces) spread_rows(group, ready);
+      if (bounces) spread_rows(group, ready, rows);
     } else {
       for (std::size_t k = 0; k < group.size; ++k) prepare_one(bodies, group.first + k);
-      gather(group, ready, found_.contacts.data());
+      gather(group, ready, rows, found_.contacts.data());
     }
-    for (std::size_t k = 0; bounces && k < group.size; ++k) note_closing(bodies, ready[k]);
+    for (std::size_t k = 0; bounces && k < group.size; ++k) note_closing(bodies, ready[k], rows[k]);
   }
   template <class Threads>
   constexpr void scatter_all(const Threads& threads) {
@@ -1005,7 +1008,7 @@ class Tick {
         }
         OneThread().each(first, groups_.size(), 1, visit);
         OneThread().each(ends[colours - 2], ready_.size(), 1,
-                         [&](std::size_t i) { alone(ready_[i]); });
+                         [&](std::size_t i) { alone(ready_[i], rows_[i]); });
         return;
       }
     }
@@ -1022,9 +1025,10 @@ class Tick {
       if (together(solver)) return;
     }
     auto* ready = &ready_[group.first];
-    spread_rows(group, ready);
+    auto* rows = &rows_[group.first];
+    spread_rows(group, ready, rows);
     scatter(group, ready, found_.contacts.data());
-    for (std::size_t k = 0; k < group.size; ++k) alone(ready[k]);
+    for (std::size_t k = 0; k < group.size; ++k) alone(ready[k], rows[k]);
     gather_impulses(group, ready, found_.contacts.data());
   }
 
@@ -1051,7 +1055,7 @@ class Tick {
     threads.each(first, ready_.size(), contacts_a_call, [&](std::size_t i) {
       set_surface(bodies, ready_[i]);
       prepare_one(bodies, i);
-      note_closing(bodies, ready_[i]);
+      note_closing(bodies, ready_[i], rows_[i]);
     });
   }
   /// The rows of a contact.
@@ -1060,19 +1064,19 @@ class Tick {
     const Body &a = bodies[ready.a], &b = bodies[ready.b];
     const auto& found = found_.manifolds[ready.contact];
     const auto [share_a, share_b] = mass_shares<S>(a, b);
-    prepare(ready, found.manifold, held()[ready.a], held()[ready.b], found.offset, share_a,
-            share_b);
+    prepare(ready, rows_[i], found.manifold, held()[ready.a], held()[ready.b], found.offset,
+            share_a, share_b);
     if (has_round && rolling_.size() != 0) {
       const auto limit = rolling_limit<S, N>(a, b, found_.contacts[ready.contact]);
       if (limit.is_any()) {
         rolling_[i] = prepare_rolling<S, N>(limit, share_of<S, N>(held()[ready.a].spread, share_a),
                                             share_of<S, N>(held()[ready.b].spread, share_b));
-        ready.rolling = &rolling_[i];
+        rows_[i].rolling = &rolling_[i];
       }
     }
   }
   /// Friction and restitution of a contact.
-  constexpr void set_surface(const Bodies& bodies, ReadyContact<S, N>& ready) const noexcept {
+  constexpr void set_surface(const Bodies& bodies, Ready& ready) const noexcept {
     using Ratio = typename F::Ratio;
     const Body &a = bodies[ready.a], &b = bodies[ready.b];
     auto friction = std::array{a.friction, b.friction};
@@ -1135,23 +1139,23 @@ class Tick {
                               const Threads& threads) {
     solve_each<OfIdle::skipped>(
         bodies, ends, threads, [](auto& solver) { return solver.measure_gaps(); },
-        [&](ReadyContact<S, N>& ready) { measure_one(ready); });
+        [&](Ready& ready, const Rows& rows) { measure_one(ready, rows); });
   }
-  constexpr void measure_one(ReadyContact<S, N>& ready) const noexcept {
-    detail::measure_gaps(ready, moving_[ready.a], moving_[ready.b]);
+  constexpr void measure_one(Ready& ready, const Rows& rows) const noexcept {
+    detail::measure_gaps(ready, rows, moving_[ready.a], moving_[ready.b]);
   }
   constexpr void measure_group(ContactGroup<S>& group) requires(has_groups) {
     solve_group(
         group, [](auto& solver) { return solver.measure_gaps(); },
-        [&](ReadyContact<S, N>& ready) { measure_one(ready); });
+        [&](Ready& ready, const Rows& rows) { measure_one(ready, rows); });
   }
   /// Records the rates of a contact that bounces, at the start of the tick.
-  constexpr void note_closing(const Bodies& bodies, ReadyContact<S, N>& ready) const noexcept {
+  constexpr void note_closing(const Bodies& bodies, const Ready& ready, Rows& rows) const noexcept {
     if (ready.bounce == 0) return;
     const auto a = motion_of(bodies[ready.a]), b = motion_of(bodies[ready.b]);
     for (std::size_t k = 0; k < ready.count; ++k) {
-      ready.closing[k] = rate_along<S, N>(ready.normal.along, ready.pressure[k], a.velocity, a.spin,
-                                          b.velocity, b.spin);
+      rows.closing[k] = rate_along<S, N>(rows.normal.along, rows.pressure[k], a.velocity, a.spin,
+                                         b.velocity, b.spin);
     }
   }
 
@@ -1253,20 +1257,20 @@ class Tick {
     group_.warm_start(joints, moving_, supports_);
     solve_each<OfIdle::skipped>(
         bodies, ends, threads, [](auto& solver) { return solver.warm_start(); },
-        [&](const ReadyContact<S, N>& ready) {
+        [&](const Ready& ready, const Rows& rows) {
           const auto& contact = found_.contacts[ready.contact];
-          warm_start(ready, contact, moving_[ready.a], moving_[ready.b]);
+          warm_start(ready, rows, contact, moving_[ready.a], moving_[ready.b]);
           if constexpr (has_round) {
-            warm_start_rolling(ready, contact, moving_[ready.a], moving_[ready.b]);
+            warm_start_rolling(ready, rows, contact, moving_[ready.a], moving_[ready.b]);
           }
         });
     group_.template solve_all<Pass::biased>(joints, moving_, supports_);
     solve_each<OfIdle::checked>(
         bodies, ends, threads,
         [&](auto& solver) { return solver.template solve<Pass::biased>(pace.push, index); },
-        [&](ReadyContact<S, N>& ready) {
-          solve_pressure<Pass::biased>(ready, found_.contacts[ready.contact], moving_[ready.a],
-                                       moving_[ready.b], pace.push, index);
+        [&](Ready& ready, const Rows& rows) {
+          solve_pressure<Pass::biased>(ready, rows, found_.contacts[ready.contact],
+                                       moving_[ready.a], moving_[ready.b], pace.push, index);
         });
     each_block(bodies, threads, [&](std::size_t begin, std::size_t end) {
       Turner<0> turner{*this, bodies};
@@ -1282,14 +1286,14 @@ class Tick {
     solve_each<OfIdle::checked>(
         bodies, ends, threads,
         [&](auto& solver) { return solver.template solve<Pass::relaxed>(pace.push, index); },
-        [&](ReadyContact<S, N>& ready) {
+        [&](Ready& ready, const Rows& rows) {
           auto& contact = found_.contacts[ready.contact];
-          solve_pressure<Pass::relaxed>(ready, contact, moving_[ready.a], moving_[ready.b],
+          solve_pressure<Pass::relaxed>(ready, rows, contact, moving_[ready.a], moving_[ready.b],
                                         pace.push, index);
           if constexpr (has_round) {
-            solve_rolling(ready, contact, moving_[ready.a], moving_[ready.b]);
+            solve_rolling(ready, rows, contact, moving_[ready.a], moving_[ready.b]);
           }
-          solve_friction(ready, contact, moving_[ready.a], moving_[ready.b]);
+          solve_friction(ready, rows, contact, moving_[ready.a], moving_[ready.b]);
         });
   }
 
@@ -1409,7 +1413,8 @@ class Tick {
   List<BodyPair, 0> unordered_pairs_;            // for growing worlds
   Search found_;
   List<Search, 0> searches_;  // for growing worlds, on several threads
-  List<ReadyContact<S, N>, contacts_room> ready_;
+  List<Ready, contacts_room> ready_;
+  List<Rows, contacts_room> rows_;  // of grouped contacts: unset, until they are needed
   List<Rolling<S, N>, has_round ? contacts_room : 0> rolling_;  // empty if no body resists it
   List<std::conditional_t<is_fixed<S> && N == 3, ContactGroup<S>, char>, 0>
       groups_;  // for growing worlds, on machines with long lanes
