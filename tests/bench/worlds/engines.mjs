@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// usage: node engines.mjs FOLDER [SCENE...]; tests/bench/worlds/run builds FOLDER and runs it
+// usage: node --no-liftoff engines.mjs FOLDER [SCENE...]; tests/bench/worlds/run builds FOLDER and runs it
 // Steps the scenes of plans.hpp in detent's WebAssembly (q16_16 and float), in Rapier and in Jolt,
 // alternating step by step. Prints two tables as CSV: milliseconds per step, the mean of steps 60
 // to 299, and how well each scene stands.
