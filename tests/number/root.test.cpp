@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "detent/number/root.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "number/big_integer.hpp"
@@ -177,4 +179,22 @@ TEST_CASE("root: the reciprocal of a root is off by less than 2^-44 of it", "[nu
     if (!is_close(first) || !is_close(last)) ++wrong;
   }
   CHECK(wrong == 0);
+}
+
+TEST_CASE("root: the first guess of a reciprocal root is within 2^-16") {
+  constexpr std::uint64_t first = 63 << 12, end = 256 << 12;
+  CHECK(detail::has_reciprocal_root_chord(first));
+  CHECK(detail::has_reciprocal_root_chord(end - 1));
+  CHECK_FALSE(detail::has_reciprocal_root_chord(first - 1));
+  CHECK_FALSE(detail::has_reciprocal_root_chord(end));
+  double greatest = 0;
+  for (std::uint64_t t = first; t < end; ++t) {
+    const double guess = std::ldexp(detail::reciprocal_root_chord(t), -30);
+    for (const std::uint64_t end_of_step : {t, t + 1}) {
+      const double root = std::sqrt(std::ldexp(static_cast<double>(end_of_step), -20));
+      greatest = std::max(greatest, std::abs(guess * root - 1));
+    }
+  }
+  CHECK(greatest < 1.0 / 65536);
+  CHECK(greatest > 0.8 / 65536);
 }

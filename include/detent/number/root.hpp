@@ -41,39 +41,47 @@ constexpr std::uint32_t root_guess(std::uint64_t a) noexcept {
   return (chord >> 12) + static_cast<std::uint32_t>(((chord & 0xfff) * along) >> 16);  // Q20
 }
 
-/// Chords of 1 / sqrt(x), lowered by half their greatest distance from the curve. Entry i - 64
-/// covers x in [i/256, (i+1)/256): the value at the left end (upper 20 bits, Q18) and the fall to
-/// the right end (lower 12 bits, Q18).
+/// A line: y = offset - fall t, modulo 2^32.
+struct FallingLine {
+  std::uint32_t offset, fall;
+};
+
+/// Chords of 2^30 / sqrt(x), lowered by half their greatest distance from the curve. Entry i - 63
+/// covers x in [i/256, (i+1)/256), with t = floor(2^20 x).
 inline constexpr auto reciprocal_root_chords = [] {
-  // round(2^18 * sqrt(512 / i)), digit by digit: compile time only. Half entries for the middle.
+  // floor(2^26 * sqrt(512 / i)), digit by digit: compile time only. Half entries for the middle.
   const auto value = [](std::uint64_t i) {
     std::uint64_t root = 0;
-    for (std::uint64_t digit = std::uint64_t{1} << 27; digit != 0; digit >>= 1) {
+    for (std::uint64_t digit = std::uint64_t{1} << 28; digit != 0; digit >>= 1) {
       const std::uint64_t next = root | digit;
-      if (next * next * i <= std::uint64_t{512} << 52) root |= digit;
+      if (next * next <= (std::uint64_t{512} << 52) / i) root |= digit;
     }
     return root;  // Q26
   };
-  std::array<std::uint32_t, 192> chords{};
-  for (std::uint32_t i = 64; i < 256; ++i) {
+  std::array<FallingLine, 193> chords{};
+  for (std::uint32_t i = 63; i < 256; ++i) {
     const std::uint64_t left = value(std::uint64_t{2} * i), right = value(2 * i + 2);
     const std::uint64_t lowered = ((left + right) / 2 - value(2 * i + 1)) / 2;
-    const auto rounded = [](std::uint64_t x) { return static_cast<std::uint32_t>((x + 128) >> 8); };
-    const std::uint32_t first = rounded(left - lowered);
-    chords[i - 64] = (first << 12) | (first - rounded(right - lowered));
+    const std::uint64_t fall = (left - right + 128) >> 8;
+    const std::uint64_t first = ((left - lowered) << 4) - fall / 2;  // t drops half on average
+    chords[i - 63] = {static_cast<std::uint32_t>(first + fall * (i << 12)),
+                      static_cast<std::uint32_t>(fall)};
   }
   return chords;
 }();
 
-/// 2^50 / sqrt(a) for a >= 2^62, from a chord, with a relative error below 2^-16: at least 2^18,
-/// and below 2^19.
+/// Whether t = floor(2^20 x) has an entry.
+constexpr bool has_reciprocal_root_chord(std::uint64_t t) noexcept {
+  return t - (63 << 12) < (193 << 12);
+}
+
+/// 2^30 / sqrt(x) for t = floor(2^20 x), with a relative error below 2^-16.
 ///
-/// For x = a / 2^64, the curve bends by 3/32 (1/256)^2 / x^2 of the value between the ends, half of
-/// which is below 2^-20.4 / x^2, and quantizing adds less than 1.5 steps of 2^-18.
-constexpr std::uint32_t reciprocal_root_guess(std::uint64_t a) noexcept {
-  const std::uint32_t chord = reciprocal_root_chords[static_cast<std::size_t>(a >> 56) - 64];
-  const std::uint64_t fall = (chord & 0xfff) * ((a >> 40) & 0xffff);
-  return (chord >> 12) - static_cast<std::uint32_t>(fall >> 16);
+/// The curve bends by 3/32 (1/256)^2 / x^2 of the value between the ends, half of which is below
+/// 2^-20.4 / x^2. Rounding the fall adds at most 2^-19 sqrt(x), and dropping bits of x 2^-22 / x.
+constexpr std::uint32_t reciprocal_root_chord(std::uint64_t t) noexcept {
+  const FallingLine& chord = reciprocal_root_chords[static_cast<std::size_t>(t >> 12) - 63];
+  return chord.offset - chord.fall * static_cast<std::uint32_t>(t);
 }
 
 /// Whether a product of words is one instruction, so that the table is worth its size.
@@ -100,10 +108,10 @@ constexpr std::uint64_t root_by_division(std::uint64_t a) noexcept {
 ///
 /// For y = (1 + e) / r that is r (1 - 3 e^2 / 2 - e^3 / 2) + 3/4; what g drops, less than 3,
 /// changes it by less than 2^-14. For x = a / 2^64, r = 2^32 sqrt(x) and
-/// |e| < 2^-20.4 / x^2 + 2^-17.4 sqrt(x), so 3 e^2 r / 2 is below 0.7, which x = 1/4 nearly
+/// |e| < 2^-20.4 / x^2 + 2^-18 sqrt(x) + 2^-22 / x, so 3 e^2 r / 2 is below 0.7, which x = 1/4 nearly
 /// reaches. So the result is the floor of a number between r and r + 1.
 constexpr std::uint64_t root_by_table(std::uint64_t a) noexcept {
-  const std::uint64_t reciprocal = reciprocal_root_guess(a);
+  const std::uint64_t reciprocal = (reciprocal_root_chord(a >> 44) + (1 << 11)) >> 12;
   const std::uint64_t guess = ((a >> 32) * reciprocal) >> 18;
   const auto rest = static_cast<std::int64_t>(a - guess * guess) >> 6;
   const std::int64_t twice = rest * static_cast<std::int64_t>(reciprocal);
@@ -122,20 +130,27 @@ constexpr std::uint64_t root_or_next(std::uint64_t a) noexcept {
   return root - (root >> 32);  // 2^32 itself is one too many
 }
 
-/// 2^94 / sqrt(a) for a >= 2^62, with a relative error below 2^-44: the reciprocal of a chord,
-/// corrected by three terms of a series.
+/// 2^Scale y / sqrt(1 - d) for |y| < 2^32 and |d| <= 2^-15, in steps of 2^-46, with a relative error
+/// below 2^-44.
 ///
-/// For y = 2^63 / sqrt(a) within 2^-16, d = 1 - a y^2 / 2^126 is within 2^-15. So in
-/// 2^63 / sqrt(a) = y (1 - d)^(-1/2) = y (1 + d / 2 + 3 d^2 / 8 + ...) the next term is below
-/// 2^-46. With d in steps of 2^-46, floors lose less than three of these steps.
+/// (1 - d)^(-1/2) is 1 + d (4 + 3 d) / 8 and more terms, of which the next is below 2^-46. With
+/// 4 + 3 d in steps of 2^-28, floors lose less than three steps of d.
+template <int Scale>
+constexpr std::int64_t refined_reciprocal_root(std::int64_t y, std::int64_t d) noexcept {
+  const std::int64_t series = (d * (((3 * d) >> 18) + (std::int64_t{1} << 30))) >> 31;
+  return y * (std::int64_t{1} << Scale) + ((y * series) >> (46 - Scale));
+}
+
+/// 2^94 / sqrt(a) for a >= 2^62, with a relative error below 2^-44.
+///
+/// For y = 2^62 / sqrt(a) within 2^-16, d = 1 - a y^2 / 2^124 is within 2^-15.
 constexpr std::uint64_t reciprocal_root(std::uint64_t a) noexcept {
-  const std::uint64_t y = has_long_registers
-                              ? std::uint64_t{reciprocal_root_guess(a)} << 13
-                              : ((std::uint64_t{1} << 51) - 1) / root_guess(a);  // below 2^32
-  const std::uint64_t high = multiply_words(a, y * y).high;                      // about 2^62
-  const std::int64_t d = (std::int64_t{1} << 46) - static_cast<std::int64_t>(high >> 16);
-  const std::int64_t series = (d >> 1) + ((3 * (d * d >> 2)) >> 47);
-  return (y << 31) + static_cast<std::uint64_t>((static_cast<std::int64_t>(y) * series) >> 15);
+  const std::uint64_t y = has_long_registers ? std::uint64_t{reciprocal_root_chord(a >> 44)}
+                                             : (std::uint64_t{1} << 50) / root_guess(a);
+  const std::uint64_t high = multiply_words(a, y * y).high;  // about 2^60
+  const std::int64_t d = (std::int64_t{1} << 46) - static_cast<std::int64_t>(high >> 14);
+  return static_cast<std::uint64_t>(refined_reciprocal_root<31>(static_cast<std::int64_t>(y), d))
+         << 1;
 }
 
 /// `root`, or one less if its square exceeds n.

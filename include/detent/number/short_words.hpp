@@ -43,6 +43,14 @@
 #define DETENT_OUTLINE
 #endif
 
+// For a filter that is a query's usual answer: in a long source, g++ would pass its numbers through
+// memory and wait for them.
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
+#define DETENT_INLINE_FILTER __attribute__((always_inline))
+#else
+#define DETENT_INLINE_FILTER
+#endif
+
 namespace detent {
 
 /// Whether the processor keeps only 32 bits of a product and has no division: Cortex-M0, M0+, M1.

@@ -99,20 +99,34 @@ template <Scalar S, Number X, Number Unit>
     return {quotient_nearest<S>(eye * at.unit + offset, at.unit), ahead};
   }
 }
+/// The ray from the eye of `camera` in a direction found by a filter.
+template <Scalar S>
+[[nodiscard]] constexpr Ray<S, 3> ray_from_eye(
+    const Camera<S>& camera,
+    const decltype(UnitFilter<direction_component<S>>::value)& unit) noexcept {
+  const auto c = [&](std::size_t i) { return narrow<bits_of<direction_component<S>>>(unit[i]); };
+  return {camera.pose.translation, Direction<S, 3>::assume_unit({c(0), c(1), c(2)})};
+}
+
+/// `pick_ray` without `guess_direction`.
 template <Scalar S, Number X, Number Unit>
-[[nodiscard]] constexpr Ray<S, 3> pick_ray(const Camera<S>& camera,
-                                           const OnScreen<X, Unit>& at) noexcept {
+[[nodiscard]] constexpr Ray<S, 3> careful_pick_ray(const Camera<S>& camera,
+                                                   const OnScreen<X, Unit>& at) noexcept {
   if constexpr (is_fixed<S> && has_filters) {
     if (camera.lens.has_perspective()) {
       const auto unit = decide_direction(camera.pose.rotation, camera.lens, at.x, at.y, at.unit);
       if (!unit.is_sure) [[unlikely]]
         return exact_pick_ray(camera, OnScreen{at.x, at.y, at.unit});
-      using Component = direction_component<S>;
-      const auto c = [&](std::size_t i) { return narrow<Component::bits>(unit.value[i]); };
-      return {camera.pose.translation, Direction<S, 3>::assume_unit({c(0), c(1), c(2)})};
+      return ray_from_eye(camera, unit.value);
     }
   }
   return exact_pick_ray(camera, at);
+}
+// By value, because GCC would keep numbers in memory for a reference.
+template <Scalar S, Number X>
+[[nodiscard]] DETENT_OUTLINE constexpr Ray<S, 3> careful_pick_ray(const Camera<S>& camera, X x,
+                                                                  X y) noexcept {
+  return careful_pick_ray(camera, OnScreen{x, y, one<S>});
 }
 
 /// The determinants of Cramer's rule for the coordinates of a point in a camera's frame: right / whole,
@@ -251,14 +265,22 @@ template <Scalar S>
 template <Scalar S, Number X>
 [[nodiscard]] constexpr Ray<S, 3> pick_ray(const Camera<S>& camera, const X& x,
                                            const X& y) noexcept {
-  return detail::pick_ray(camera, detail::OnScreen{x, y, detail::one<S>});
+  if constexpr (detail::has_guess<S, X>()) {
+    if (!camera.lens.has_perspective()) return detail::careful_pick_ray(camera, x, y);
+    const auto unit = detail::guess_direction(camera.pose.rotation, camera.lens, x, y);
+    if (!unit.is_sure) [[unlikely]]
+      return detail::careful_pick_ray(camera, x, y);
+    return detail::ray_from_eye(camera, unit.value);
+  } else {
+    return detail::careful_pick_ray(camera, detail::OnScreen{x, y, detail::one<S>});
+  }
 }
 
 /// The same for the middle of a pixel, or of the image if the viewport has no pixels.
 template <Scalar S>
 [[nodiscard]] constexpr Ray<S, 3> pick_ray(const Camera<S>& camera, const Viewport& viewport,
                                            std::int32_t column, std::int32_t row) noexcept {
-  return detail::pick_ray(camera, detail::on_screen<S>(viewport, column, row));
+  return detail::careful_pick_ray(camera, detail::on_screen<S>(viewport, column, row));
 }
 
 namespace detail {

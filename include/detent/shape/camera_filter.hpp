@@ -14,6 +14,35 @@
 
 namespace detent::detail {
 
+/// Whether to try `guess_direction` first: if words are long and hold products with X.
+template <Scalar S, Number X>
+[[nodiscard]] constexpr bool has_guess() noexcept {
+  if constexpr (is_fixed<S> && is_fixed<X> && has_filters && has_long_registers) {
+    return X::frac > 0 && X::frac <= 16;
+  } else {
+    return false;
+  }
+}
+
+/// Filter: as `decide_direction`, where `unit` is 1 and the point is in the image; faster, and less
+/// often sure (docs/filters.md, lemma 45).
+template <Scalar S, Number X>
+[[nodiscard]] constexpr auto guess_direction(const Rotation<S, 3>& frame, const Lens<S>& lens,
+                                             const X& x, const X& y) noexcept {
+  using Component = direction_component<S>;
+  using Sum = Fixed<63, 58>;
+  if (!fits<X::frac>(Vec{x, y})) return UnitFilter<Component>{{}, false};
+  const auto part = [&](const X& at, int i, int j) {
+    const auto side = lens.slope(i) * frame.axis(i)[j];  // at most 8
+    constexpr int frac = (std::min)(decltype(side)::frac, Sum::frac - X::frac);
+    return Fixed<62, 58>(narrow_floor<Fixed<frac + 3, frac>>(side) * at_most<X::frac>(at));
+  };
+  return decide_opposite_of_short<Component>(to_array(make_vec<3>([&](int j) {
+    return narrow_difference<63>(Sum(frame.axis(2)[j]),
+                                 narrow_sum<62>(part(x, 0, j), part(y, 1, j)));
+  })));
+}
+
 /// Filter: the unit vector along x w axis(0) + y h axis(1) - unit axis(2), where w and h are the
 /// slopes of `lens` (docs/filters.md, lemma 38).
 template <Scalar S, Number X, Number Unit>
@@ -21,14 +50,13 @@ template <Scalar S, Number X, Number Unit>
                                               const X& x, const X& y, const Unit& unit) noexcept {
   using Component = direction_component<S>;
   using Sum = Fixed<62, 58>;
-  UnitFilter<Component, 3> unknown;
-  unknown.is_sure = false;
+  const UnitFilter<Component> unknown{{}, false};
   // `ahead` returns a component of unit axis(2).
   const auto decide = [&](const auto& right, const auto& up, const auto& ahead) {
     return decide_opposite<Component>(to_array(make_vec<3>([&](int j) {
       const auto across = narrow_sum<62>(floor_product<Sum>(right, frame.axis(0)[j]),
                                          floor_product<Sum>(up, frame.axis(1)[j]));
-      return narrow_difference<62>(ahead(frame.axis(2)[j]), across);
+      return in_half_steps(narrow_difference<62>(ahead(frame.axis(2)[j]), across));
     })));
   };
   if constexpr (Unit::bits == 1 && Unit::frac == 0) {

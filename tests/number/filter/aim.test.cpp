@@ -57,25 +57,23 @@ TEST_CASE("in_units: the numbers are multiples of one power of two, and the unit
   CHECK(sure > count / 10);
 }
 
-template <class Component>
-void check_units(std::uint64_t seed) {
-  using Long = Fixed<66, 0>;
+/// Compares `decide` with the exact unit vectors opposite to vectors that differ from drawn ones by
+/// less than `Reach` 64ths of a step. Returns how many of them it is unsure about.
+template <class Component, int Frac, std::int64_t Reach, class Draw, class Decide>
+int count_unsure(std::uint64_t seed, int count, const Draw& draw, const Decide& decide) {
+  using Long = Fixed<72, 0>;
   Random random(seed);
   int unsure = 0, wrong = 0;
-  constexpr int count = 60'000;
   for (int k = 0; k < count; ++k) {
-    std::array<Fixed<62, 58>, 3> v;
+    std::array<Fixed<63, Frac>, 3> v;
     std::array<Long, 3> exact;
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto limit = std::int64_t{1} << 60;
-      v[i] = Fixed<62, 58>::from_raw(i == 0 ? random.between(limit / 2, limit)
-                                            : random.between(-limit, limit));
-      // In eighths of a step: from -15 to 15.
-      const auto away = static_cast<std::int64_t>(random.below(31)) - 15;
+      v[i] = Fixed<63, Frac>::from_raw(draw(random, i));
+      const std::int64_t away = random.between(1 - Reach, Reach - 1);
       exact[i] = Long::assume_raw(
-          integer_cast<typename Long::raw_type>(Int128(-away) - shift_left(Int128(v[i].raw()), 3)));
+          integer_cast<typename Long::raw_type>(Int128(-away) - shift_left(Int128(v[i].raw()), 6)));
     }
-    const auto found = decide_opposite<Component>(v);
+    const auto found = decide(v);
     if (!found.is_sure) {
       ++unsure;
       continue;
@@ -87,21 +85,46 @@ void check_units(std::uint64_t seed) {
   }
   CAPTURE(seed);
   CHECK(wrong == 0);
-  if (Component::frac == 30) {  // three components, 2^-12 each
-    CHECK(unsure > 15);
-    CHECK(unsure < 90);
-  } else {
-    CHECK(unsure == 0);
-  }
+  return unsure;
+}
+
+template <class Component>
+int count_unsure_units(std::uint64_t seed) {
+  const auto draw = [](Random& random, std::size_t i) {
+    const auto limit = std::int64_t{1} << 61;
+    return random.between(i == 0 ? limit / 2 : -limit, limit);
+  };
+  return count_unsure<Component, 59, 256>(
+      seed, 60'000, draw, [](const auto& v) { return decide_opposite<Component>(v); });
+}
+
+template <class Component>
+int count_unsure_short_units(std::uint64_t seed) {
+  const auto draw = [](Random& random, std::size_t i) {
+    const auto one = std::int64_t{1} << 58;
+    return i == 0 ? random.between(one, one * 5 / 4) : random.between(-one, one);
+  };
+  return count_unsure<Component, 58, std::int64_t{64} << 17>(
+      seed, 60'000, draw, [](const auto& v) { return decide_opposite_of_short<Component>(v); });
 }
 
 TEST_CASE("decide_opposite: where it is sure, it is right for every vector within its steps") {
-  check_units<Fixed<31, 30>>(0xa1301);
-  check_units<Fixed<15, 14>>(0xa1302);
+  const int unsure = count_unsure_units<Fixed<31, 30>>(0xa1301);
+  CHECK(unsure > 15);  // three components, 2^-12 each
+  CHECK(unsure < 90);
+  CHECK(count_unsure_units<Fixed<15, 14>>(0xa1302) == 0);
+}
+
+TEST_CASE(
+    "decide_opposite_of_short: where it is sure, it is right for every vector within its steps") {
+  const int unsure = count_unsure_short_units<Fixed<31, 30>>(0xa1303);
+  CHECK(unsure > 120);  // three components, 2^-9 each
+  CHECK(unsure < 720);
+  CHECK(count_unsure_short_units<Fixed<15, 14>>(0xa1304) < 6);
 }
 
 TEST_CASE("decide_opposite: it is unsure about short vectors") {
-  using T = Fixed<62, 58>;
+  using T = Fixed<63, 59>;
   using Component = Fixed<31, 30>;
   const auto is_sure = [](std::int64_t x, std::int64_t y, std::int64_t z) {
     return decide_opposite<Component>(std::array{T::from_raw(x), T::from_raw(y), T::from_raw(z)})
@@ -109,8 +132,26 @@ TEST_CASE("decide_opposite: it is unsure about short vectors") {
   };
   CHECK_FALSE(is_sure(0, 0, 0));
   CHECK_FALSE(is_sure(1, 0, 0));
-  CHECK_FALSE(is_sure(std::int64_t{1} << 55, 0, 0));
-  CHECK(is_sure(std::int64_t{1} << 58, 0, 0));
+  CHECK_FALSE(is_sure(std::int64_t{1} << 56, 0, 0));
+  CHECK(is_sure(std::int64_t{1} << 59, 0, 0));
+}
+
+TEST_CASE("decide_opposite_of_short: it is unsure unless the vector is about 1 to 2 long") {
+  using T = Fixed<63, 58>;
+  using Component = Fixed<31, 30>;
+  const auto is_sure = [](std::int64_t x) {
+    return decide_opposite_of_short<Component>(std::array{T(), T::from_raw(x), T()}).is_sure;
+  };
+  constexpr auto one = std::int64_t{1} << 58;
+  CHECK(is_sure(one));
+  CHECK(is_sure(-one));
+  CHECK(is_sure(one - (one >> 29)));
+  CHECK(is_sure(2 * one - 1));
+  CHECK_FALSE(is_sure(2 * one));
+  CHECK_FALSE(is_sure(17 * one));
+  CHECK_FALSE(is_sure(one - one / 64));
+  CHECK_FALSE(is_sure(1));
+  CHECK_FALSE(is_sure(0));
 }
 
 }  // namespace

@@ -12,18 +12,18 @@ namespace {
 using Over = Fixed<63, 46>;
 using Under = Fixed<62, 60>;
 
-TEST_CASE("QuickQuotient: quotients are within 64 steps") {
+TEST_CASE("SharedQuotient: quotients are within 64 steps") {
   Random random(0x94c);
   int sure = 0, wrong = 0;
   constexpr int count = 60'000;
   constexpr std::int64_t one = std::int64_t{1} << 60;
   for (int k = 0; k < count; ++k) {
     auto raw = random.one_in(4) ? one + random.wide(30) : random.edgy(60);
-    if (random.one_in(16)) raw = (std::int64_t{1} << 53) - 1 + random.wide(2);
+    if (random.one_in(16)) raw = (std::int64_t{1} << 53) + random.wide(31);
     if (random.coin()) raw = -raw;
     const auto under = Under::from_raw(raw);
-    const QuickQuotient quotient(under);
-    const bool is_long = std::abs(raw) >= std::int64_t{1} << 53;
+    const SharedQuotient quotient(under);
+    const bool is_long = std::abs(raw >> 29) > (std::int64_t{1} << 24) + 1;
     if (quotient.is_sure != is_long) ++wrong;
     if (!is_long) continue;
     const auto over = Over::from_raw(random.edgy(62));

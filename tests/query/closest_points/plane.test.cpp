@@ -48,6 +48,20 @@ void compare(std::uint64_t seed) {
   CHECK(sure.percent() >= 30);
 }
 
+/// The filter's point of two planes.
+template <class S, int N>
+Decided<Vec<S, N>> point_by_filter(const Plane<S, N>& a, const Plane<S, N>& b) {
+  using Point = Decided<Vec<S, N>>;
+  return detail::decide_point_of_planes(
+      a, b,
+      [](const auto&... x) {
+        return Point{{x...}, true};
+      },
+      [] {
+        return Point{{}, false};
+      });
+}
+
 /// Compares the filter with the exact point of two planes, where a coordinate is near a midpoint.
 template <int N>
 void compare_planes(std::uint64_t seed) {
@@ -79,7 +93,7 @@ void compare_planes(std::uint64_t seed) {
         is_near |= std::abs(steps[k] - std::floor(steps[k]) - 0.5) * 16384 < 1;
       }
       if (!is_near) continue;
-      const auto found = detail::decide_point_of_planes(a, b);
+      const auto found = point_by_filter(a, b);
       sure.count(found.is_sure);
       if (!found.is_sure) continue;
       wrong += found.value == detail::exact_closest_points_of_planes(a, b).first ? 0 : 1;
@@ -126,7 +140,7 @@ void compare_near_ties(std::uint64_t seed) {
     const Plane<S, 2> b{*n, offset};
     if (inverse == 0) continue;
     ++all;
-    const auto found = detail::decide_point_of_planes(a, b);
+    const auto found = point_by_filter(a, b);
     if (!found.is_sure) {
       ++unsure;
     } else {

@@ -8,13 +8,7 @@
 #include <cstdint>
 
 #include "detent/number/filter/components.hpp"
-
-// Without it, in a long source, g++ passes the components through memory and waits for them.
-#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
-#define DETENT_INLINE_FILTER __attribute__((always_inline))
-#else
-#define DETENT_INLINE_FILTER
-#endif
+#include "detent/number/short_words.hpp"
 
 namespace detent {
 
@@ -45,43 +39,80 @@ template <int F>
   return {{scaled(x.raw()), scaled(y.raw()), Fixed<62, 60>::assume_raw(whole << up)}, true};
 }
 
-/// The result of `decide_opposite`. GCC 12 would combine shorter components in memory.
-template <class Component, std::size_t N>
-using UnitFilter = Decided<std::array<Fixed<62, Component::frac>, N>>;
+/// x < 2^62 in steps of half the size. GCC 12 knows that a sum of high words fits 64 bits of 128, and
+/// would multiply all of them.
+template <int F>
+[[nodiscard]] constexpr Fixed<63, F + 1> in_half_steps(const Fixed<62, F>& x) noexcept {
+  return Fixed<63, F + 1>::assume_raw(
+      static_cast<std::int64_t>(static_cast<std::uint64_t>(x.raw()) << 1));
+}
 
-/// Filter: the unit vector opposite to a vector whose components exceed those of `v` by more than -2
-/// and less than 2 steps (docs/filters.md, lemma 38).
-template <class Component, int F, std::size_t N>
-[[nodiscard]] DETENT_INLINE_FILTER constexpr UnitFilter<Component, N> decide_opposite(
-    const std::array<Fixed<62, F>, N>& v) noexcept {
-  // Twice v, as GCC otherwise knows that v fits 64 bits of a sum of 128, and multiplies all 128.
-  std::array<std::int64_t, N> twice;
-  std::int64_t squared = 0;
-  for (std::size_t i = 0; i < N; ++i) {
-    twice[i] = static_cast<std::int64_t>(static_cast<std::uint64_t>(v[i].raw()) << 1);
-    squared += detail::high_word(twice[i], twice[i]);
-  }
-  UnitFilter<Component, N> result;
-  result.is_sure = squared >= std::int64_t{1} << 51;
-  if (!result.is_sure) [[unlikely]]
-    return result;
+/// The result of `decide_opposite`. GCC 12 would combine shorter components in memory.
+template <class Component>
+using UnitFilter = Decided<std::array<Fixed<62, Component::frac>, 3>>;
+
+namespace detail {
+
+/// The sum of the high words of the squares.
+template <int F>
+[[nodiscard]] constexpr std::int64_t squared_high(const std::array<Fixed<63, F>, 3>& v) noexcept {
+  const auto high = [&](std::size_t i) { return high_word(v[i].raw(), v[i].raw()); };
+  return high(0) + high(1) + high(2);
+}
+
+/// The high words of products with `factor`, in steps of 2^-55, off by less than `Error` of these
+/// and rounded to nearest.
+template <class Component, std::int64_t Error, int F>
+[[nodiscard]] DETENT_INLINE_FILTER constexpr UnitFilter<Component> decide_products(
+    const std::array<Fixed<63, F>, 3>& v, std::int64_t factor) noexcept {
+  const auto component = [&](std::size_t i) {
+    const auto value = Fixed<62, 55>::assume_raw(high_word(v[i].raw(), factor));
+    return decide_nearest<Fixed<62, Component::frac>>(Approximate{value, Steps<Error>()});
+  };
+  using Unit = UnitFilter<Component>;
+  return when_all_sure<3>(
+      component,
+      [](const auto&... all) {
+        return Unit{{all...}, true};
+      },
+      [] {
+        return Unit{{}, false};
+      });
+}
+
+}  // namespace detail
+
+/// Filter: the unit vector opposite to a vector whose components differ from those of `v` by less than
+/// 4 steps (docs/filters.md, lemma 38).
+template <class Component, int F>
+[[nodiscard]] DETENT_INLINE_FILTER constexpr UnitFilter<Component> decide_opposite(
+    const std::array<Fixed<63, F>, 3>& v) noexcept {
+  const std::int64_t squared = detail::squared_high(v);
+  if (squared < std::int64_t{1} << 51) [[unlikely]]
+    return {{}, false};
   const auto positive = static_cast<std::uint64_t>(squared);
   const int half = std::countl_zero(positive) >> 1;
-  using Value = Fixed<62, 55>;
   // If GCC knew that a factor is positive, it would compute three products.
-  const std::int64_t reciprocal =
-      -static_cast<std::int64_t>(detail::reciprocal_root(positive << (2 * half)) >> (7 - half));
-  for (std::size_t i = 0; i < N; ++i) {
-    const auto nearest = decide_nearest<Fixed<62, Component::frac>>(Approximate{
-        Value::assume_raw(detail::high_word(twice[i], reciprocal)), Steps<(1 << 12)>()});
-    result.value[i] = nearest.value;
-    result.is_sure = nearest.is_sure;
-    if (!result.is_sure) [[unlikely]]
-      return result;
-  }
-  return result;
+  const auto root = detail::reciprocal_root(positive << (2 * half)) >> (7 - half);
+  return detail::decide_products<Component, (1 << 12)>(v, -static_cast<std::int64_t>(root));
+}
+
+/// Filter: the same for a vector whose components differ from those of `v` by less than 2^17 steps,
+/// if v is about 1 to 2 long; it takes less time (docs/filters.md, lemma 45).
+template <class Component>
+[[nodiscard]] DETENT_INLINE_FILTER constexpr UnitFilter<Component> decide_opposite_of_short(
+    const std::array<Fixed<63, 58>, 3>& v) noexcept {
+  const std::int64_t squared = detail::squared_high(v);                     // in 2^-52
+  const std::uint64_t quarter = static_cast<std::uint64_t>(squared) >> 34;  // in 2^-20
+  if (!detail::has_reciprocal_root_chord(quarter)) [[unlikely]]
+    return {{}, false};
+  const std::uint64_t y = detail::reciprocal_root_chord(quarter);
+  // If GCC knew that `squared` is positive, it would compute its sign.
+  const auto word = static_cast<std::uint64_t>(detail::in_register(squared));
+  const std::uint64_t high = multiply_words(word, y * y).high;  // about 2^50
+  const std::int64_t d = (std::int64_t{1} << 46) - static_cast<std::int64_t>(high >> 4);
+  const std::int64_t root = detail::refined_reciprocal_root<30>(-static_cast<std::int64_t>(y), d);
+  return detail::decide_products<Component, (1 << 15)>(v, root);
 }
 
 }  // namespace detent
-
-#undef DETENT_INLINE_FILTER

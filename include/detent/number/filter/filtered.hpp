@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -86,6 +88,49 @@ template <class T, int B, int F, class Error>
   constexpr int shift = F - T::frac;
   const std::int64_t raised = std::int64_t{x.value.raw()} + (std::int64_t{1} << (shift - 1));
   return decide_floor<T>(Approximate{Fixed<63, F>::assume_raw(raised), x.error});
+}
+
+namespace detail {
+
+/// x. GCC 12 would otherwise round two words in vector registers, and move them there and back.
+template <class Int>
+[[nodiscard]] constexpr Int in_register(Int x) noexcept {
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+  if (!std::is_constant_evaluated()) asm("" : "+r"(x));
+#endif
+  return x;
+}
+
+}  // namespace detail
+
+/// all(f(0), f(1), ...), or otherwise() as soon as one of these is unsure. Recursive, because in a
+/// loop GCC 12 would keep `is_sure` in a register and test it.
+template <std::size_t N, class F, class All, class Otherwise, class... Before>
+[[nodiscard]] constexpr auto when_all_sure(const F& f, const All& all, const Otherwise& otherwise,
+                                           const Before&... before) noexcept {
+  if constexpr (sizeof...(before) == N) {
+    return all(before...);
+  } else {
+    const auto next = f(sizeof...(before));
+    if (!next.is_sure) [[unlikely]]
+      return otherwise();
+    return when_all_sure<N>(f, all, otherwise, before..., next.value);
+  }
+}
+
+/// all(x...) with the numbers of `values`, which are off by less than `error`, rounded to nearest; or
+/// otherwise() if one is unsure. T must hold them.
+template <class T, int B, int F, std::size_t N, class Error, class All, class Otherwise>
+[[nodiscard]] constexpr auto when_all_nearest(const std::array<Fixed<B, F>, N>& values,
+                                              const Error& error, const All& all,
+                                              const Otherwise& otherwise) noexcept {
+  const auto nearest = [&](std::size_t i) {
+    return decide_nearest<T>(Approximate{values[i], error});
+  };
+  const auto finish = [&](const auto&... x) {
+    return all(T::assume_raw(detail::in_register(x.raw()))...);
+  };
+  return when_all_sure<N>(nearest, finish, otherwise);
 }
 
 /// The midpoint between `x` and the step below it.

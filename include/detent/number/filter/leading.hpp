@@ -19,14 +19,6 @@ namespace detail {
   return integer_cast<std::int64_t>(shift_right_floor(wrapping_multiply<Int128>(a, b), 64));
 }
 
-/// x. GCC 12 would otherwise round two words in vector registers, and move them there and back.
-[[nodiscard]] constexpr std::int64_t in_register(std::int64_t x) noexcept {
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-  if (!std::is_constant_evaluated()) asm("" : "+r"(x));
-#endif
-  return x;
-}
-
 /// For x >= 0: word * 2^exponent <= x < (word + 1) * 2^exponent. The top bit of the word is set
 /// unless x is 0.
 struct LeadingWord {

@@ -9,49 +9,22 @@
 
 namespace detent {
 
-/// Filter: several quotients with the same denominator, from 2^-7 to 2 if `is_sure`
-/// (docs/filters.md, lemma 37).
+/// Filter: several quotients with the same denominator, of either sign, whose magnitude is above
+/// 2^-7 if `is_sure`, and at most 1 + 2^-26 (docs/filters.md, lemma 41).
 class SharedQuotient {
  public:
   explicit constexpr SharedQuotient(const Fixed<62, 60>& under) noexcept {
-    const std::int64_t raw = under.raw();
-    is_sure = raw >= std::int64_t{1} << 53;
-    const auto word = static_cast<std::uint64_t>(raw);
-    const int zeros = std::countl_zero(word | 1);  // GCC branches on 0
-    inverse_ = static_cast<std::int64_t>(detail::reciprocal(word << zeros));
-    down_ = (10 - zeros) & 63;
-  }
-
-  /// over / under, with 8 bits less after the point.
-  template <int F>
-  [[nodiscard]] constexpr Fixed<63, F - 8> operator()(const Fixed<63, F>& over) const noexcept {
-    return Fixed<63, F - 8>::assume_raw(detail::high_word(over.raw(), inverse_) >> down_);
-  }
-
-  bool is_sure;
-
- private:
-  std::int64_t inverse_;  // 2^126 / under, scaled up
-  int down_;
-};
-
-/// The same without shifts by unknown counts, for a denominator of either sign whose magnitude is
-/// from 2^-7 to 1: less accurate, and faster (docs/filters.md, lemma 41).
-class QuickQuotient {
- public:
-  explicit constexpr QuickQuotient(const Fixed<62, 60>& under) noexcept {
-    const std::int64_t sign = under.raw() >> 63;
-    const auto word = static_cast<std::uint64_t>((under.raw() ^ sign) - sign);
-    is_sure = word >= std::uint64_t{1} << 53;
+    const std::int64_t leading = under.raw() >> 29;
+    constexpr std::int64_t too_short = (std::int64_t{1} << 24) + 1;
+    is_sure = static_cast<std::uint64_t>(leading + too_short) > 2 * std::uint64_t{too_short};
     if (!is_sure) [[unlikely]]
       return;
-    // 2^92 / word, too small by less than 2^-23 of it.
-    const std::uint64_t first = (std::uint64_t{1} << 63) / ((word >> 29) + 1);
-    const std::uint64_t missing =
-        (std::uint64_t{1} << 55) - multiply_words(word << 3, first << 24).high;
-    const auto inverse =
-        static_cast<std::int64_t>((first << 24) + ((first * (missing >> 8)) >> 23));
-    inverse_ = (inverse ^ sign) - sign;
+    // 2^84 / under, off by less than 2^-23.9 of it. The last bit is set because 0 has no quotient.
+    const std::int64_t first = (std::int64_t{1} << 55) / (leading | 1);
+    const std::int64_t scaled = first * (std::int64_t{1} << 32);
+    const std::int64_t missing =
+        (std::int64_t{1} << 54) - detail::high_word(under.raw() * 4, scaled);
+    inverse_ = scaled + ((first * (missing >> 7)) >> 15);
   }
 
   /// over / under, with 8 bits less after the point.

@@ -116,61 +116,50 @@ template <Scalar S, int N, class Body>
   }
 }
 
-/// Filter: the point that two planes share, the one closest to the origin (docs/filters.md, lemma
-/// 37).
-template <Scalar S, int N>
-[[nodiscard]] constexpr Decided<Vec<S, N>> decide_point_of_planes(const Plane<S, N>& a,
-                                                                  const Plane<S, N>& b) noexcept {
+/// Filter: all(x, y, ...) with the coordinates of the point that two planes share, the one closest to
+/// the origin, or otherwise() if unsure (docs/filters.md, lemma 37).
+template <Scalar S, int N, class All, class Otherwise>
+[[nodiscard]] DETENT_INLINE_FILTER constexpr auto decide_point_of_planes(
+    const Plane<S, N>& a, const Plane<S, N>& b, const All& all,
+    const Otherwise& otherwise) noexcept {
   const auto& m = a.normal.vec();
   const auto& n = b.normal.vec();
-  // Of both factors together, 64 bits are dropped: only the high word of a product is computed.
-  using Unit = Fixed<63, 62>;
-  const auto decide = [](bool is_sure, const auto& at, const auto& error) {
-    constexpr int bits = S::bits - 1 + decltype(at(0))::frac - S::frac;
-    Decided<Vec<S, N>> point{{}, is_sure};
-    if (!is_sure) [[unlikely]]
-      return point;
-    for (int i = 0; i < N; ++i) {
-      const auto x = at(i);
-      const auto nearest = decide_nearest<S>(Approximate{x, error});
-      point.value[i] = nearest.value;
-      point.is_sure = nearest.is_sure && fits<bits>(x);
-      if (!point.is_sure) [[unlikely]]
-        return point;
-    }
-    return point;
-  };
   if constexpr (N == 2) {
-    const auto area = narrow<62>(cross(m, n));
-    const QuickQuotient over_area(area);
-    const Vec over{narrow_difference<63>(a.offset * n.y, b.offset * m.y),
-                   narrow_difference<63>(b.offset * m.x, a.offset * n.x)};
-    return decide(
-        over_area.is_sure, [&](int i) { return over_area(over[i]); }, Steps<64>());
+    const SharedQuotient over_area(narrow<62>(cross(m, n)));
+    if (!over_area.is_sure) [[unlikely]]
+      return otherwise();
+    const Vec point{over_area(narrow_difference<63>(a.offset * n.y, b.offset * m.y)),
+                    over_area(narrow_difference<63>(b.offset * m.x, a.offset * n.x))};
+    if (!fits<bits_of<S> + 21>(point)) [[unlikely]]  // half the range
+      return otherwise();
+    return when_all_nearest<S>(to_array(point), Steps<64>(), all, otherwise);
   } else {
-    const auto unit = [](const auto& x) {
-      return Unit::assume_raw(shift_left(narrow<61>(x).raw(), 2));
-    };
-    const auto mm = unit(dot(m, m)), nn = unit(dot(n, n)), mn = unit(dot(m, n));
+    const auto mm = squared_length(a.normal), nn = squared_length(b.normal);
+    const auto mn = dot(a.normal, b.normal);
+    using Unit = Fixed<63, 62>;
     using Square = Fixed<62, 60>;
-    const SharedQuotient over_square(
-        narrow_difference<62>(narrow_floor<Square>(mm * nn), narrow_floor<Square>(mn * mn)));
+    const auto cosine = Unit::assume_raw(shift_left(mn.raw(), 2));
+    const auto squared = narrow_floor<Square>(cosine * cosine);
+    const auto excess = narrow_difference<62>(narrow_sum<62>(mm, nn), Square(1));
+    const SharedQuotient over_square(narrow_difference<62>(excess, squared));
+    if (!over_square.is_sure) [[unlikely]]
+      return otherwise();
     using Offset = Fixed<63, S::frac + 32>;
-    using Over = Fixed<63, S::frac + 30>;
+    using Over = Fixed<62, S::frac + 28>;
     const Offset at_a(a.offset), at_b(b.offset);
-    const auto share = [&](const Offset& here, const Unit& square, const Offset& there) {
-      return over_square(
-          narrow_difference<63>(narrow_floor<Over>(here * square), narrow_floor<Over>(there * mn)));
+    const auto share = [&](const Offset& here, const auto& square, const Offset& there) {
+      return narrow_difference<62>(narrow_floor<Over>(here * square),
+                                   narrow_floor<Over>(there * mn));
     };
-    const auto along_m = share(at_a, nn, at_b), along_n = share(at_b, mm, at_a);
-    using Value = Fixed<62, S::frac + 20>;
-    return decide(
-        over_square.is_sure,
-        [&](int i) {
-          return narrow_sum<63>(narrow_floor<Value>(along_m * Unit(m[i])),
-                                narrow_floor<Value>(along_n * Unit(n[i])));
-        },
-        Steps<256>());
+    const auto share_of_m = share(at_a, nn, at_b), share_of_n = share(at_b, mm, at_a);
+    using Value = Fixed<62, S::frac + 26>;
+    const auto point = make_vec<3>([&](int i) {
+      return over_square(narrow_sum<63>(narrow_floor<Value>(share_of_m * Unit(m[i])),
+                                        narrow_floor<Value>(share_of_n * Unit(n[i]))));
+    });
+    if (!fits<bits_of<S> + 17>(point)) [[unlikely]]  // half the range
+      return otherwise();
+    return when_all_nearest<S>(to_array(point), Steps<8>(), all, otherwise);
   }
 }
 
@@ -206,13 +195,15 @@ exact_closest_points_of_planes(const Plane<S, N>& a, const Plane<S, N>& b) noexc
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_of_planes(
     const Plane<S, N>& a, const Plane<S, N>& b) noexcept {
+  const auto exact = [&] { return exact_closest_points_of_planes(a, b); };
   if constexpr (is_fixed<S> && filter_pays<S>) {
-    const auto point = decide_point_of_planes(a, b);
-    if (!point.is_sure) [[unlikely]]
-      return exact_closest_points_of_planes(a, b);
-    return {point.value, point.value};
+    const auto twice = [](const auto&... x) {
+      const Vec<S, N> point{x...};
+      return std::pair{point, point};
+    };
+    return decide_point_of_planes(a, b, twice, exact);
   } else {
-    return exact_closest_points_of_planes(a, b);
+    return exact();
   }
 }
 
