@@ -54,7 +54,7 @@ TEMPLATE_TEST_CASE("camera filters: where they are sure, they are right", "", q1
                    q14_16) {
   using S = TestType;
   Random random(0xca3f17);
-  int cameras = 0, unsure = 0, wrong = 0, rays = 0, unsure_rays = 0, guesses = 0;
+  int cameras = 0, unsure = 0, wrong = 0, rays = 0, unsure_rays = 0, guesses = 0, pixels = 0;
   for (int k = 0; k < 20'000; ++k) {
     const auto camera = random_view<S>(random);
     if (!camera) continue;
@@ -74,22 +74,34 @@ TEMPLATE_TEST_CASE("camera filters: where they are sure, they are right", "", q1
     ++rays;
     const auto unit =
         detail::decide_direction(camera->pose.rotation, camera->lens, x, y, detail::one<S>);
-    const auto exact = detail::exact_pick_ray(*camera, detail::OnScreen{x, y, detail::one<S>});
-    const auto count_wrong = [&](const auto& found) {
+    const auto count_wrong = [&](const auto& found, const auto& at) {
+      const auto exact = detail::exact_pick_ray(*camera, at);
       for (std::size_t i = 0; i < 3; ++i) {
         if (found.value[i] != exact.direction[static_cast<int>(i)]) ++wrong;
       }
     };
+    const detail::OnScreen on_screen{x, y, detail::one<S>};
     const auto guess = detail::guess_direction(camera->pose.rotation, camera->lens, x, y);
     if (guess.is_sure) {
       ++guesses;
-      count_wrong(guess);
+      count_wrong(guess, on_screen);
       if (abs(x) > 1 || abs(y) > 1) ++wrong;
     }
     if (unit.is_sure) {
-      count_wrong(unit);
+      count_wrong(unit, on_screen);
     } else {
       ++unsure_rays;
+    }
+    const Viewport viewport{static_cast<std::int32_t>(random.between(1, 4000)),
+                            static_cast<std::int32_t>(random.between(1, 4000))};
+    const auto pixel = detail::on_screen<S>(
+        viewport, static_cast<std::int32_t>(random.between(-9, viewport.width + 9)),
+        static_cast<std::int32_t>(random.between(-9, viewport.height + 9)));
+    const auto of_pixel = detail::decide_direction<true>(camera->pose.rotation, camera->lens,
+                                                         pixel.x, pixel.y, pixel.unit);
+    if (of_pixel.is_sure) {
+      ++pixels;
+      count_wrong(of_pixel, pixel);
     }
   }
   INFO(random);
@@ -99,6 +111,7 @@ TEMPLATE_TEST_CASE("camera filters: where they are sure, they are right", "", q1
   CHECK(unsure < cameras * 2 / 3);
   CHECK(unsure_rays < rays / 10);
   CHECK(guesses > rays / 20);
+  CHECK(pixels > rays / 20);
 }
 
 TEST_CASE("camera filters: ties are left to the exact quotient") {

@@ -108,7 +108,7 @@ template <Scalar S>
   return {camera.pose.translation, Direction<S, 3>::assume_unit({c(0), c(1), c(2)})};
 }
 
-/// `pick_ray` without `guess_direction`.
+/// `pick_ray` without its first filter.
 template <Scalar S, Number X, Number Unit>
 [[nodiscard]] constexpr Ray<S, 3> careful_pick_ray(const Camera<S>& camera,
                                                    const OnScreen<X, Unit>& at) noexcept {
@@ -127,6 +127,13 @@ template <Scalar S, Number X>
 [[nodiscard]] DETENT_OUTLINE constexpr Ray<S, 3> careful_pick_ray(const Camera<S>& camera, X x,
                                                                   X y) noexcept {
   return careful_pick_ray(camera, OnScreen{x, y, one<S>});
+}
+template <Scalar S>
+[[nodiscard]] DETENT_OUTLINE constexpr Ray<S, 3> careful_pick_ray(const Camera<S>& camera,
+                                                                  Viewport viewport,
+                                                                  std::int32_t column,
+                                                                  std::int32_t row) noexcept {
+  return careful_pick_ray(camera, on_screen<S>(viewport, column, row));
 }
 
 /// The determinants of Cramer's rule for the coordinates of a point in a camera's frame: right / whole,
@@ -263,8 +270,8 @@ template <Scalar S>
 /// exact:  each component of the direction is the exact one rounded to nearest; the eye is exact, a
 ///         point of the near plane rounded as by `unproject`       (tests/shape/camera.test.cpp)
 template <Scalar S, Number X>
-[[nodiscard]] constexpr Ray<S, 3> pick_ray(const Camera<S>& camera, const X& x,
-                                           const X& y) noexcept {
+[[nodiscard]] DETENT_INLINE_FILTER constexpr Ray<S, 3> pick_ray(const Camera<S>& camera, const X& x,
+                                                                const X& y) noexcept {
   if constexpr (detail::has_guess<S, X>()) {
     if (!camera.lens.has_perspective()) return detail::careful_pick_ray(camera, x, y);
     const auto unit = detail::guess_direction(camera.pose.rotation, camera.lens, x, y);
@@ -280,7 +287,18 @@ template <Scalar S, Number X>
 template <Scalar S>
 [[nodiscard]] constexpr Ray<S, 3> pick_ray(const Camera<S>& camera, const Viewport& viewport,
                                            std::int32_t column, std::int32_t row) noexcept {
-  return detail::careful_pick_ray(camera, detail::on_screen<S>(viewport, column, row));
+  const auto at = detail::on_screen<S>(viewport, column, row);
+  if constexpr (is_fixed<S> && has_filters && detail::has_long_registers) {
+    const auto& lens = camera.lens;
+    if (!lens.has_perspective()) return detail::careful_pick_ray(camera, viewport, column, row);
+    const auto unit =
+        detail::decide_direction<true>(camera.pose.rotation, lens, at.x, at.y, at.unit);
+    if (!unit.is_sure) [[unlikely]]
+      return detail::careful_pick_ray(camera, viewport, column, row);
+    return detail::ray_from_eye(camera, unit.value);
+  } else {
+    return detail::careful_pick_ray(camera, at);
+  }
 }
 
 namespace detail {

@@ -37,15 +37,16 @@ template <Scalar S, Number X>
     constexpr int frac = (std::min)(decltype(side)::frac, Sum::frac - X::frac);
     return Fixed<62, 58>(narrow_floor<Fixed<frac + 3, frac>>(side) * at_most<X::frac>(at));
   };
-  return decide_opposite_of_short<Component>(to_array(make_vec<3>([&](int j) {
+  return decide_opposite_of_short<Component, (1 << 15), false>(to_array(make_vec<3>([&](int j) {
     return narrow_difference<63>(Sum(frame.axis(2)[j]),
                                  narrow_sum<62>(part(x, 0, j), part(y, 1, j)));
   })));
 }
 
 /// Filter: the unit vector along x w axis(0) + y h axis(1) - unit axis(2), where w and h are the
-/// slopes of `lens` (docs/filters.md, lemma 38).
-template <Scalar S, Number X, Number Unit>
+/// slopes of `lens` (docs/filters.md, lemma 38). With `OnlyShort` it takes less time, and is unsure
+/// about vectors more than 2 to 4 times as long as `unit` (lemma 45).
+template <bool OnlyShort = false, Scalar S, Number X, Number Unit>
 [[nodiscard]] constexpr auto decide_direction(const Rotation<S, 3>& frame, const Lens<S>& lens,
                                               const X& x, const X& y, const Unit& unit) noexcept {
   using Component = direction_component<S>;
@@ -53,11 +54,16 @@ template <Scalar S, Number X, Number Unit>
   const UnitFilter<Component> unknown{{}, false};
   // `ahead` returns a component of unit axis(2).
   const auto decide = [&](const auto& right, const auto& up, const auto& ahead) {
-    return decide_opposite<Component>(to_array(make_vec<3>([&](int j) {
+    const auto back = to_array(make_vec<3>([&](int j) {
       const auto across = narrow_sum<62>(floor_product<Sum>(right, frame.axis(0)[j]),
                                          floor_product<Sum>(up, frame.axis(1)[j]));
-      return in_half_steps(narrow_difference<62>(ahead(frame.axis(2)[j]), across));
-    })));
+      return of_unknown_size(narrow_difference<62>(ahead(frame.axis(2)[j]), across));
+    }));
+    if constexpr (OnlyShort) {
+      return decide_opposite_of_short<Component, (1 << 12), true>(back);
+    } else {
+      return decide_opposite<Component>(back);
+    }
   };
   if constexpr (Unit::bits == 1 && Unit::frac == 0) {
     // `unit` is 1, and most of what is seen is at most 4 times as far from the axis as from the eye.

@@ -98,14 +98,17 @@ int count_unsure_units(std::uint64_t seed) {
       seed, 60'000, draw, [](const auto& v) { return decide_opposite<Component>(v); });
 }
 
-template <class Component>
+template <class Component, std::int64_t Error, bool MayBeHalf>
 int count_unsure_short_units(std::uint64_t seed) {
   const auto draw = [](Random& random, std::size_t i) {
-    const auto one = std::int64_t{1} << 58;
+    const auto one = std::int64_t{1} << (MayBeHalf && random.coin() ? 57 : 58);
     return i == 0 ? random.between(one, one * 5 / 4) : random.between(-one, one);
   };
-  return count_unsure<Component, 58, std::int64_t{64} << 17>(
-      seed, 60'000, draw, [](const auto& v) { return decide_opposite_of_short<Component>(v); });
+  // 2^17 and 4 steps.
+  constexpr std::int64_t reach = Error == 1 << 15 ? std::int64_t{64} << 17 : 256;
+  return count_unsure<Component, 58, reach>(seed, 60'000, draw, [](const auto& v) {
+    return decide_opposite_of_short<Component, Error, MayBeHalf>(v);
+  });
 }
 
 TEST_CASE("decide_opposite: where it is sure, it is right for every vector within its steps") {
@@ -117,10 +120,13 @@ TEST_CASE("decide_opposite: where it is sure, it is right for every vector withi
 
 TEST_CASE(
     "decide_opposite_of_short: where it is sure, it is right for every vector within its steps") {
-  const int unsure = count_unsure_short_units<Fixed<31, 30>>(0xa1303);
+  const int unsure = count_unsure_short_units<Fixed<31, 30>, (1 << 15), false>(0xa1303);
   CHECK(unsure > 120);  // three components, 2^-9 each
   CHECK(unsure < 720);
-  CHECK(count_unsure_short_units<Fixed<15, 14>>(0xa1304) < 6);
+  CHECK(count_unsure_short_units<Fixed<15, 14>, (1 << 15), false>(0xa1304) < 6);
+  const int few = count_unsure_short_units<Fixed<31, 30>, (1 << 12), true>(0xa1305);
+  CHECK(few > 15);  // 2^-12 each
+  CHECK(few < 90);
 }
 
 TEST_CASE("decide_opposite: it is unsure about short vectors") {
@@ -139,19 +145,26 @@ TEST_CASE("decide_opposite: it is unsure about short vectors") {
 TEST_CASE("decide_opposite_of_short: it is unsure unless the vector is about 1 to 2 long") {
   using T = Fixed<63, 58>;
   using Component = Fixed<31, 30>;
-  const auto is_sure = [](std::int64_t x) {
-    return decide_opposite_of_short<Component>(std::array{T(), T::from_raw(x), T()}).is_sure;
+  const auto v = [](std::int64_t x) { return std::array{T(), T::from_raw(x), T()}; };
+  const auto is_sure = [&](std::int64_t x) {
+    return decide_opposite_of_short<Component, (1 << 15), false>(v(x)).is_sure;
+  };
+  const auto is_sure_of_halves = [&](std::int64_t x) {
+    return decide_opposite_of_short<Component, (1 << 12), true>(v(x)).is_sure;
   };
   constexpr auto one = std::int64_t{1} << 58;
-  CHECK(is_sure(one));
-  CHECK(is_sure(-one));
-  CHECK(is_sure(one - (one >> 29)));
-  CHECK(is_sure(2 * one - 1));
-  CHECK_FALSE(is_sure(2 * one));
-  CHECK_FALSE(is_sure(17 * one));
+  for (const auto x : {one, -one, one - (one >> 29), 2 * one - 1}) {
+    CHECK(is_sure(x));
+    CHECK(is_sure_of_halves(x));
+    CHECK(is_sure_of_halves(x / 2));
+  }
+  CHECK_FALSE(is_sure(one / 2));
+  for (const auto x : {std::int64_t{0}, std::int64_t{1}, one / 2 - one / 128, 2 * one, 17 * one}) {
+    CHECK_FALSE(is_sure(x));
+    CHECK_FALSE(is_sure_of_halves(x));
+  }
   CHECK_FALSE(is_sure(one - one / 64));
-  CHECK_FALSE(is_sure(1));
-  CHECK_FALSE(is_sure(0));
+  CHECK(is_sure_of_halves(one - one / 64));
 }
 
 }  // namespace

@@ -39,12 +39,11 @@ template <int F>
   return {{scaled(x.raw()), scaled(y.raw()), Fixed<62, 60>::assume_raw(whole << up)}, true};
 }
 
-/// x < 2^62 in steps of half the size. GCC 12 knows that a sum of high words fits 64 bits of 128, and
-/// would multiply all of them.
+/// x. GCC 12 would otherwise know that a sum of high words fits 64 bits of 128, and multiply all of
+/// these.
 template <int F>
-[[nodiscard]] constexpr Fixed<63, F + 1> in_half_steps(const Fixed<62, F>& x) noexcept {
-  return Fixed<63, F + 1>::assume_raw(
-      static_cast<std::int64_t>(static_cast<std::uint64_t>(x.raw()) << 1));
+[[nodiscard]] constexpr Fixed<63, F> of_unknown_size(const Fixed<62, F>& x) noexcept {
+  return Fixed<63, F>::assume_raw(detail::in_register(std::int64_t{x.raw()}));
 }
 
 /// The result of `decide_opposite`. GCC 12 would combine shorter components in memory.
@@ -97,22 +96,25 @@ template <class Component, int F>
   return detail::decide_products<Component, (1 << 12)>(v, -static_cast<std::int64_t>(root));
 }
 
-/// Filter: the same for a vector whose components differ from those of `v` by less than 2^17 steps,
-/// if v is about 1 to 2 long; it takes less time (docs/filters.md, lemma 45).
-template <class Component>
+/// Filter: the same in less time, if v is 1 to 2 long, or 1/2 to 2 if `MayBeHalf`. Its error is 2^12
+/// or 2^15 steps of 2^-55, depending on that of v (docs/filters.md, lemma 45).
+template <class Component, std::int64_t Error, bool MayBeHalf>
 [[nodiscard]] DETENT_INLINE_FILTER constexpr UnitFilter<Component> decide_opposite_of_short(
     const std::array<Fixed<63, 58>, 3>& v) noexcept {
-  const std::int64_t squared = detail::squared_high(v);                     // in 2^-52
-  const std::uint64_t quarter = static_cast<std::uint64_t>(squared) >> 34;  // in 2^-20
+  const std::int64_t squared = detail::squared_high(v);  // in 2^-52
+  constexpr std::int64_t one = std::int64_t{63} << 46;   // a little less than 1
+  const int up = MayBeHalf && squared < one ? 1 : 0;
+  const std::int64_t scaled = squared * (std::int64_t{1} << (2 * up));
+  const std::uint64_t quarter = static_cast<std::uint64_t>(scaled) >> 34;  // in 2^-20
   if (!detail::has_reciprocal_root_chord(quarter)) [[unlikely]]
     return {{}, false};
   const std::uint64_t y = detail::reciprocal_root_chord(quarter);
-  // If GCC knew that `squared` is positive, it would compute its sign.
-  const auto word = static_cast<std::uint64_t>(detail::in_register(squared));
+  // If GCC knew that it is positive, it would compute its sign.
+  const auto word = static_cast<std::uint64_t>(detail::in_register(scaled));
   const std::uint64_t high = multiply_words(word, y * y).high;  // about 2^50
   const std::int64_t d = (std::int64_t{1} << 46) - static_cast<std::int64_t>(high >> 4);
   const std::int64_t root = detail::refined_reciprocal_root<30>(-static_cast<std::int64_t>(y), d);
-  return detail::decide_products<Component, (1 << 15)>(v, root);
+  return detail::decide_products<Component, Error>(v, root * (std::int64_t{1} << up));
 }
 
 }  // namespace detent

@@ -118,8 +118,8 @@ template <std::size_t N, class F, class All, class Otherwise, class... Before>
   }
 }
 
-/// all(x...) with the numbers of `values`, which are off by less than `error`, rounded to nearest; or
-/// otherwise() if one is unsure. T must hold them.
+/// all(x...) with the numbers of `values`, which are off by less than `error`, rounded to nearest,
+/// or otherwise() if one is unsure. T must hold them.
 template <class T, int B, int F, std::size_t N, class Error, class All, class Otherwise>
 [[nodiscard]] constexpr auto when_all_nearest(const std::array<Fixed<B, F>, N>& values,
                                               const Error& error, const All& all,
