@@ -58,17 +58,17 @@ TEST_CASE("in_units: the numbers are multiples of one power of two, and the unit
 }
 
 /// Compares `decide` with the exact unit vectors opposite to vectors that differ from drawn ones by
-/// less than `Reach` 64ths of a step. Returns how many of them it is unsure about.
-template <class Component, int Frac, std::int64_t Reach, class Draw, class Decide>
+/// less than `Reach` 64ths of a step of 2^-58. Returns how many of them it is unsure about.
+template <class Component, std::int64_t Reach, class Draw, class Decide>
 int count_unsure(std::uint64_t seed, int count, const Draw& draw, const Decide& decide) {
   using Long = Fixed<72, 0>;
   Random random(seed);
   int unsure = 0, wrong = 0;
   for (int k = 0; k < count; ++k) {
-    std::array<Fixed<63, Frac>, 3> v;
+    std::array<Fixed<63, 58>, 3> v;
     std::array<Long, 3> exact;
     for (std::size_t i = 0; i < 3; ++i) {
-      v[i] = Fixed<63, Frac>::from_raw(draw(random, i));
+      v[i] = Fixed<63, 58>::from_raw(draw(random, i));
       const std::int64_t away = random.between(1 - Reach, Reach - 1);
       exact[i] = Long::assume_raw(
           integer_cast<typename Long::raw_type>(Int128(-away) - shift_left(Int128(v[i].raw()), 6)));
@@ -88,14 +88,15 @@ int count_unsure(std::uint64_t seed, int count, const Draw& draw, const Decide& 
   return unsure;
 }
 
-template <class Component>
+/// Vectors of at least 2^Bits steps.
+template <class Component, int Bits>
 int count_unsure_units(std::uint64_t seed) {
   const auto draw = [](Random& random, std::size_t i) {
-    const auto limit = std::int64_t{1} << 61;
-    return random.between(i == 0 ? limit / 2 : -limit, limit);
+    const auto least = std::int64_t{1} << Bits;
+    return random.between(i == 0 ? least : -2 * least, 2 * least);
   };
-  return count_unsure<Component, 59, 256>(
-      seed, 60'000, draw, [](const auto& v) { return decide_opposite<Component>(v); });
+  return count_unsure<Component, 128>(seed, 60'000, draw,
+                                      [](const auto& v) { return decide_opposite<Component>(v); });
 }
 
 template <class Component, std::int64_t Error, bool MayBeHalf>
@@ -104,18 +105,20 @@ int count_unsure_short_units(std::uint64_t seed) {
     const auto one = std::int64_t{1} << (MayBeHalf && random.coin() ? 57 : 58);
     return i == 0 ? random.between(one, one * 5 / 4) : random.between(-one, one);
   };
-  // 2^17 and 4 steps.
-  constexpr std::int64_t reach = Error == 1 << 15 ? std::int64_t{64} << 17 : 256;
-  return count_unsure<Component, 58, reach>(seed, 60'000, draw, [](const auto& v) {
+  // 2^17 and 2 steps.
+  constexpr std::int64_t reach = Error == 1 << 15 ? std::int64_t{64} << 17 : 128;
+  return count_unsure<Component, reach>(seed, 60'000, draw, [](const auto& v) {
     return decide_opposite_of_short<Component, Error, MayBeHalf>(v);
   });
 }
 
 TEST_CASE("decide_opposite: where it is sure, it is right for every vector within its steps") {
-  const int unsure = count_unsure_units<Fixed<31, 30>>(0xa1301);
-  CHECK(unsure > 15);  // three components, 2^-12 each
-  CHECK(unsure < 90);
-  CHECK(count_unsure_units<Fixed<15, 14>>(0xa1302) == 0);
+  for (const int unsure : {count_unsure_units<Fixed<31, 30>, 57>(0xa1301),
+                           count_unsure_units<Fixed<31, 30>, 60>(0xa1306)}) {
+    CHECK(unsure > 15);  // three components, 2^-12 each
+    CHECK(unsure < 90);
+  }
+  CHECK(count_unsure_units<Fixed<15, 14>, 58>(0xa1302) == 0);
 }
 
 TEST_CASE(
@@ -130,7 +133,7 @@ TEST_CASE(
 }
 
 TEST_CASE("decide_opposite: it is unsure about short vectors") {
-  using T = Fixed<63, 59>;
+  using T = Fixed<63, 58>;
   using Component = Fixed<31, 30>;
   const auto is_sure = [](std::int64_t x, std::int64_t y, std::int64_t z) {
     return decide_opposite<Component>(std::array{T::from_raw(x), T::from_raw(y), T::from_raw(z)})
@@ -139,7 +142,7 @@ TEST_CASE("decide_opposite: it is unsure about short vectors") {
   CHECK_FALSE(is_sure(0, 0, 0));
   CHECK_FALSE(is_sure(1, 0, 0));
   CHECK_FALSE(is_sure(std::int64_t{1} << 56, 0, 0));
-  CHECK(is_sure(std::int64_t{1} << 59, 0, 0));
+  CHECK(is_sure(std::int64_t{1} << 57, 0, 0));
 }
 
 TEST_CASE("decide_opposite_of_short: it is unsure unless the vector is about 1 to 2 long") {

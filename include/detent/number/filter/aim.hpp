@@ -52,18 +52,17 @@ using UnitFilter = Decided<std::array<Fixed<62, Component::frac>, 3>>;
 
 namespace detail {
 
-/// The sum of the high words of the squares.
-template <int F>
-[[nodiscard]] constexpr std::int64_t squared_high(const std::array<Fixed<63, F>, 3>& v) noexcept {
+/// The sum of the high words of the squares, in steps of 2^-52.
+[[nodiscard]] constexpr std::int64_t squared_high(const std::array<Fixed<63, 58>, 3>& v) noexcept {
   const auto high = [&](std::size_t i) { return high_word(v[i].raw(), v[i].raw()); };
   return high(0) + high(1) + high(2);
 }
 
 /// The high words of products with `factor`, in steps of 2^-55, off by less than `Error` of these
 /// and rounded to nearest.
-template <class Component, std::int64_t Error, int F>
+template <class Component, std::int64_t Error>
 [[nodiscard]] DETENT_INLINE_FILTER constexpr UnitFilter<Component> decide_products(
-    const std::array<Fixed<63, F>, 3>& v, std::int64_t factor) noexcept {
+    const std::array<Fixed<63, 58>, 3>& v, std::int64_t factor) noexcept {
   const auto component = [&](std::size_t i) {
     const auto value = Fixed<62, 55>::assume_raw(high_word(v[i].raw(), factor));
     return decide_nearest<Fixed<62, Component::frac>>(Approximate{value, Steps<Error>()});
@@ -81,13 +80,13 @@ template <class Component, std::int64_t Error, int F>
 
 }  // namespace detail
 
-/// Filter: the unit vector opposite to a vector whose components differ from those of `v` by less than
-/// 4 steps (docs/filters.md, lemma 38).
-template <class Component, int F>
+/// Filter: the unit vector opposite to a vector whose components differ from those of `v` by less
+/// than 2 steps (docs/filters.md, lemma 38).
+template <class Component>
 [[nodiscard]] DETENT_INLINE_FILTER constexpr UnitFilter<Component> decide_opposite(
-    const std::array<Fixed<63, F>, 3>& v) noexcept {
+    const std::array<Fixed<63, 58>, 3>& v) noexcept {
   const std::int64_t squared = detail::squared_high(v);
-  if (squared < std::int64_t{1} << 51) [[unlikely]]
+  if (squared < std::int64_t{1} << 49) [[unlikely]]
     return {{}, false};
   const auto positive = static_cast<std::uint64_t>(squared);
   const int half = std::countl_zero(positive) >> 1;
@@ -101,8 +100,8 @@ template <class Component, int F>
 template <class Component, std::int64_t Error, bool MayBeHalf>
 [[nodiscard]] DETENT_INLINE_FILTER constexpr UnitFilter<Component> decide_opposite_of_short(
     const std::array<Fixed<63, 58>, 3>& v) noexcept {
-  const std::int64_t squared = detail::squared_high(v);  // in 2^-52
-  constexpr std::int64_t one = std::int64_t{63} << 46;   // a little less than 1
+  const std::int64_t squared = detail::squared_high(v);
+  constexpr std::int64_t one = std::int64_t{63} << 46;  // a little less than 1
   const int up = MayBeHalf && squared < one ? 1 : 0;
   const std::int64_t scaled = squared * (std::int64_t{1} << (2 * up));
   const std::uint64_t quarter = static_cast<std::uint64_t>(scaled) >> 34;  // in 2^-20
