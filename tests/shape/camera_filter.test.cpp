@@ -81,12 +81,19 @@ TEMPLATE_TEST_CASE("camera filters: where they are sure, they are right", "", q1
       }
     };
     const detail::OnScreen on_screen{x, y, detail::one<S>};
-    const auto guess = detail::guess_direction(camera->pose.rotation, camera->lens, x, y);
-    if (guess.is_sure) {
+    const auto count_guess = [&](const S& u, const S& v) {
+      const auto guess = detail::guess_direction(camera->pose.rotation, camera->lens, u, v);
+      if (!guess.is_sure) return;
       ++guesses;
-      count_wrong(guess, on_screen);
-      if (abs(x) > 1 || abs(y) > 1) ++wrong;
-    }
+      count_wrong(guess, detail::OnScreen{u, v, detail::one<S>});
+      if (abs(u) > 1 || abs(v) > 1) ++wrong;
+    };
+    count_guess(x, y);
+    const auto in_image = [&] {
+      const auto limit = std::int64_t{1} << S::frac;
+      return S::from_raw(static_cast<typename S::raw_type>(random.between(-limit, limit)));
+    };
+    for (int n = 0; n < 4; ++n) count_guess(in_image(), in_image());
     if (unit.is_sure) {
       count_wrong(unit, on_screen);
     } else {
