@@ -130,27 +130,28 @@ constexpr std::uint64_t root_or_next(std::uint64_t a) noexcept {
   return root - (root >> 32);  // 2^32 itself is one too many
 }
 
-/// 2^Scale y / sqrt(1 - d) for |y| < 2^32 and |d| <= 2^-15, in steps of 2^-46, with a relative error
-/// below 2^-44.
+/// 2^(62 + Scale) / sqrt(a 2^Dropped), or the opposite, from y, which is 2^62 / sqrt(a 2^Dropped) within
+/// 2^-16, or the opposite; with a relative error below 2^-44. |y| is below 2^32.
 ///
-/// (1 - d)^(-1/2) is 1 + d (4 + 3 d) / 8 and more terms, of which the next is below 2^-46. With
+/// For d = 1 - a y^2 / 2^(124 - Dropped), at most 2^-15, the root is y (1 - d)^(-1/2). That is y (1 +
+/// d (4 + 3 d) / 8) and more terms, of which the next is below 2^-46. With d in steps of 2^-46 and
 /// 4 + 3 d in steps of 2^-28, floors lose less than three steps of d.
-template <int Scale>
-constexpr std::int64_t refined_reciprocal_root(std::int64_t y, std::int64_t d) noexcept {
+template <int Scale, int Dropped = 0>
+constexpr std::int64_t refined_reciprocal_root(std::uint64_t a, std::int64_t y) noexcept {
+  const auto word = static_cast<std::uint64_t>(y);
+  const std::uint64_t high = multiply_words(a, word * word).high;
+  const auto one = std::int64_t{1} << 46;
+  const std::int64_t d = one - static_cast<std::int64_t>(high >> (14 - Dropped));
   const std::int64_t series = (d * (((3 * d) >> 18) + (std::int64_t{1} << 30))) >> 31;
   return y * (std::int64_t{1} << Scale) + ((y * series) >> (46 - Scale));
 }
 
 /// 2^94 / sqrt(a) for a >= 2^62, with a relative error below 2^-44.
-///
-/// For y = 2^62 / sqrt(a) within 2^-16, d = 1 - a y^2 / 2^124 is within 2^-15.
 constexpr std::uint64_t reciprocal_root(std::uint64_t a) noexcept {
   const std::uint64_t y = has_long_registers ? std::uint64_t{reciprocal_root_chord(a >> 44)}
                                              : (std::uint64_t{1} << 50) / root_guess(a);
-  const std::uint64_t high = multiply_words(a, y * y).high;  // about 2^60
-  const std::int64_t d = (std::int64_t{1} << 46) - static_cast<std::int64_t>(high >> 14);
-  return static_cast<std::uint64_t>(refined_reciprocal_root<31>(static_cast<std::int64_t>(y), d))
-         << 1;
+  const auto root = refined_reciprocal_root<31>(a, static_cast<std::int64_t>(y));
+  return static_cast<std::uint64_t>(root) << 1;
 }
 
 /// `root`, or one less if its square exceeds n.

@@ -67,15 +67,7 @@ template <class Component, std::int64_t Error>
     const auto value = Fixed<62, 55>::assume_raw(high_word(v[i].raw(), factor));
     return decide_nearest<Fixed<62, Component::frac>>(Approximate{value, Steps<Error>()});
   };
-  using Unit = UnitFilter<Component>;
-  return when_all_sure<3>(
-      component,
-      [](const auto&... all) {
-        return Unit{{all...}, true};
-      },
-      [] {
-        return Unit{{}, false};
-      });
+  return decide_all<std::array<Fixed<62, Component::frac>, 3>, 3>(component);
 }
 
 }  // namespace detail
@@ -107,12 +99,10 @@ template <class Component, std::int64_t Error, bool MayBeHalf>
   const std::uint64_t quarter = static_cast<std::uint64_t>(scaled) >> 34;  // in 2^-20
   if (!detail::has_reciprocal_root_chord(quarter)) [[unlikely]]
     return {{}, false};
-  const std::uint64_t y = detail::reciprocal_root_chord(quarter);
+  const std::int64_t y = detail::reciprocal_root_chord(quarter);
   // If GCC knew that it is positive, it would compute its sign.
   const auto word = static_cast<std::uint64_t>(detail::in_register(scaled));
-  const std::uint64_t high = multiply_words(word, y * y).high;  // about 2^50
-  const std::int64_t d = (std::int64_t{1} << 46) - static_cast<std::int64_t>(high >> 4);
-  const std::int64_t root = detail::refined_reciprocal_root<30>(-static_cast<std::int64_t>(y), d);
+  const std::int64_t root = detail::refined_reciprocal_root<30, 10>(word, -y);
   return detail::decide_products<Component, Error>(v, root * (std::int64_t{1} << up));
 }
 

@@ -118,6 +118,13 @@ template <std::size_t N, class F, class All, class Otherwise, class... Before>
   }
 }
 
+/// The `Result` of f(0), f(1), ...; sure if all of these are.
+template <class Result, std::size_t N, class F>
+[[nodiscard]] constexpr Decided<Result> decide_all(const F& f) noexcept {
+  const auto all = [](const auto&... x) { return Decided<Result>{{x...}, true}; };
+  return when_all_sure<N>(f, all, [] { return Decided<Result>{{}, false}; });
+}
+
 /// all(x...) with the numbers of `values`, which are off by less than `error`, rounded to nearest,
 /// or otherwise() if one is unsure. T must hold them.
 template <class T, int B, int F, std::size_t N, class Error, class All, class Otherwise>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
 #include <cstdint>
-#include <type_traits>
 
 #include "detent/number/filter/leading.hpp"
 

@@ -212,13 +212,8 @@ template <Scalar S, Number V, int N>
 /// The point of the coordinates decide(i); sure if all of them are.
 template <Scalar S, int N, class Decide>
 [[nodiscard]] constexpr Decided<Vec<S, N>> decide_each(const Decide& decide) noexcept {
-  Decided<Vec<S, N>> result{{}, true};
-  for (int i = 0; i < N; ++i) {
-    const Decided<S> x = decide(i);
-    result.value[i] = x.value;
-    result.is_sure = result.is_sure && x.is_sure;
-  }
-  return result;
+  return decide_all<Vec<S, N>, std::size_t{N}>(
+      [&](std::size_t i) { return decide(static_cast<int>(i)); });
 }
 
 /// The same by any vector in the direction of v; unsure if another one's error might round it
