@@ -135,14 +135,6 @@ template <Scalar S, int N>
   return contact_of_push(box, segment, radius, box_is_a, segment_box_push(box, segment, radius));
 }
 
-/// A push with its rounded normal, and the features that meet.
-template <Scalar S, int N, std::size_t Most>
-struct FacedPush {
-  Direction<S, N> normal;
-  Depth<S> depth;
-  Feature<S, N, Most> a, b;
-};
-
 /// The contact of two cores as any convex bodies; `filter` is that of the cores: see axis_filter.hpp.
 template <Scalar S, int N, class A, class B, class Filter>
 [[nodiscard]] constexpr std::optional<Contact<S, N>> contact_of_bodies(
@@ -153,19 +145,20 @@ template <Scalar S, int N, class A, class B, class Filter>
   const auto body_b = body_of_corners(corners_b);
   constexpr auto most =
       most_corners_of<std::remove_cvref_t<decltype(body_a)>, std::remove_cvref_t<decltype(body_b)>>;
-  using Faced = FacedPush<S, N, most>;
+  Feature<S, N, most> face_a, face_b;
+  using UnitPush = LeastPush<Direction<S, N>, Depth<S>>;
   const auto push = least_push_between<S>(
       body_a, body_b, radius_a + radius_b, filter,
       [&](const auto& normal, const Depth<S>& depth, const auto&... known) {
-        return std::optional<Faced>({unit_of<S>(normal), depth,
-                                     face_along<S, most>(body_a, normal, true, known.a...),
-                                     face_along<S, most>(body_b, normal, false, known.b...)});
+        face_a = face_along<S, most>(body_a, normal, true, known.a...);
+        face_b = face_along<S, most>(body_b, normal, false, known.b...);
+        return std::optional<UnitPush>({unit_of<S>(normal), depth});
       });
   if (!push) return std::nullopt;
   const auto& normal = push->normal;
   return make_contact<most>(normal, push->depth, radius_a, radius_b, [&](auto& manifold) {
     manifold.meet(
-        push->a, push->b,
+        face_a, face_b,
         [&](const auto& deepest) { return opposed_feature(a, body_a, deepest, -normal); },
         [&](const auto& deepest) { return opposed_feature(b, body_b, deepest, normal); });
   });
