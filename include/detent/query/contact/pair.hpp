@@ -147,13 +147,13 @@ template <Scalar S, int N, class A, class B, class Filter>
       most_corners_of<std::remove_cvref_t<decltype(body_a)>, std::remove_cvref_t<decltype(body_b)>>;
   Feature<S, N, most> face_a, face_b;
   using UnitPush = LeastPush<Direction<S, N>, Depth<S>>;
-  const auto push = least_push_between<S>(
-      body_a, body_b, radius_a + radius_b, filter,
-      [&](const auto& normal, const Depth<S>& depth, const auto&... known) {
-        face_a = face_along<S, most>(body_a, normal, true, known.a...);
-        face_b = face_along<S, most>(body_b, normal, false, known.b...);
-        return std::optional<UnitPush>({unit_of<S>(normal), depth});
-      });
+  const auto push =
+      least_push_between<S>(body_a, body_b, radius_a + radius_b, filter,
+                            [&](const auto& normal, const Depth<S>& depth, const auto&... known) {
+                              face_a = face_along<S, most>(body_a, normal, true, known.a...);
+                              face_b = face_along<S, most>(body_b, normal, false, known.b...);
+                              return std::optional<UnitPush>({unit_of<S>(normal), depth});
+                            });
   if (!push) return std::nullopt;
   const auto& normal = push->normal;
   return make_contact<most>(normal, push->depth, radius_a, radius_b, [&](auto& manifold) {
