@@ -118,8 +118,10 @@ Integer extent(const Shape& shape) {
 }
 
 /// Whether the points of a contact are points of a, and the depth of b there is what they report,
-/// within the bound of their docstring. One must be as deep as the contact: exactly, if the shapes
-/// are so short that the rounding of the normal, half a step per component, changes no depth.
+/// within the bound of their docstring. One must be as deep as the contact: exactly, if no corner is
+/// rounded and the shapes are so short that the rounding of the normal, half a step per component,
+/// changes no depth. Each corner of an oriented box is rounded by at most half a step per component,
+/// less than 1 along the normal; a depth depends on two.
 template <Scalar S, int N, class A, class B>
 bool has_right_points(const A& a, const B& b, const Contact<S, N>& found) {
   if (found.count == 0) return false;
@@ -142,7 +144,9 @@ bool has_right_points(const A& a, const B& b, const Contact<S, N>& found) {
     if (!is_within(nearest(exact(b), on_b), tolerance)) return false;
   }
   const Integer tilt = std::max(extent<S>(a), extent<S>(b)) / one;
-  return deepest <= found.depth && raw(found.depth) - raw(deepest) <= std::min<Integer>(tilt, 4);
+  const int grid = detail::is_kind<A, Obb> || detail::is_kind<B, Obb> ? 2 : 0;
+  return deepest <= found.depth &&
+         raw(found.depth) - raw(deepest) <= std::min<Integer>(tilt + grid, 4);
 }
 
 /// Whether two contacts are those of the same shapes in both orders.

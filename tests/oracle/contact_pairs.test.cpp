@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <span>
+
+#include "detent/math/rotation.hpp"
 #include "oracle/contact_exam.hpp"
 
 namespace detent::oracle {
@@ -7,6 +11,101 @@ namespace {
 TEMPLATE_TEST_CASE("contact: depth and normal of every two shapes are the exact ones, rounded once",
                    "[oracle]", (test::Space<q16_16, 3>), (test::Space<q16_16, 2>)) {
   examine_contacts<typename TestType::scalar, TestType::dimension>(0xc0117ac7, 60);
+}
+
+TEST_CASE("contact: of flat shapes in planes along the axes, which other shapes see edge-on",
+          "[oracle]") {
+  using S = q16_16;
+  ContactExam<S, 3> exam(0xed6e);
+  test::Random random(0xed6e);
+  const auto number = [&] { return S::from_raw(static_cast<int>(random.between(-6, 6) << 14)); };
+  long met = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const auto flat_across = [&](int axis, S place) {
+      return [&, axis, place] {
+        return make_vec<3>([&](int k) { return k == axis ? place : number(); });
+      };
+    };
+    const int axis = static_cast<int>(random.below(3));
+    const auto corner = flat_across(axis, number());
+    const auto other = flat_across(static_cast<int>(random.below(3)), number());
+    const std::array corners{corner(), corner(), corner(), corner(), corner()};
+    const ConvexHull<S, 3> hull{std::span<const Vec<S, 3>>(corners)};
+    const Triangle<S, 3> triangle{corner(), corner(), corner()};
+    const Triangle<S, 3> second{other(), other(), other()};
+    const Vec<S, 3> low{number(), number(), number()};
+    const Aabb<S, 3> box{low, make_vec<3>([&](int k) { return nearest_to<S>(low[k] + 1); })};
+    const Plane<S, 3> plane{Direction<S, 3>::along((axis + 1) % 3), number()};
+    const bool all_are_right = exam.is_right(triangle, second) && exam.is_right(hull, second) &&
+                               exam.is_right(triangle, box) && exam.is_right(hull, box) &&
+                               exam.is_right(hull, plane);
+    REQUIRE(all_are_right);
+    met += contact(triangle, second).has_value() + contact(hull, box).has_value();
+  }
+  CHECK(met > 400);
+}
+
+/// Thin bars in any direction, and points about them.
+struct Bars {
+  using S = q16_16;
+  test::Random random{0xba5};
+
+  S between(std::int64_t low, std::int64_t high) {
+    return S::from_raw(static_cast<int>(random.between(low, high)));
+  }
+  Obb<S, 3> draw(S thickness) {
+    const auto angle = [&] {
+      return Angle<S>::from_raw(static_cast<int>(random.between(-0x7fffffff, 0x7fffffff)));
+    };
+    const S half = between(1 << 8, 1 << random.between(9, 23));
+    return {{}, {S(0), thickness, half}, Rotation<S, 3>::from_euler(angle(), angle(), angle())};
+  }
+  /// A point less than 6 steps from the one that is so far from another one along an axis.
+  template <class Far>
+  Vec<S, 3> near(const Vec<S, 3>& from, const Far& far, const Direction<S, 3>& axis) {
+    return make_vec<3>(
+        [&](int k) { return nearest_to<S>(from[k] + far * axis[k] + between(-3, 3)); });
+  }
+};
+
+TEST_CASE("contact: of edges that are parallel but for the rounding of corners", "[oracle]") {
+  using S = q16_16;
+  ContactExam<S, 3> exam(0xba5);
+  Bars bars;
+  long met = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const auto bar = bars.draw(S(0));
+    const auto point = [&] {
+      return bars.near({}, bar.half_extents.z * bars.between(-2 << 16, 2 << 16),
+                       bar.rotation.axis(2));
+    };
+    const Capsule<S, 3> capsule{point(), point(), bars.between(4, 1 << 9)};
+    const Triangle<S, 3> triangle{point(), point(), point()}, second{point(), point(), point()};
+    const bool all_are_right = exam.is_right(bar, capsule) && exam.is_right(triangle, capsule) &&
+                               exam.is_right(bar, triangle) && exam.is_right(triangle, second);
+    REQUIRE(all_are_right);
+    met += contact(bar, capsule).has_value() + contact(triangle, capsule).has_value();
+  }
+  CHECK(met > 400);
+}
+
+TEST_CASE("contact: of bars a few steps thick and what stands upright on them", "[oracle]") {
+  using S = q16_16;
+  ContactExam<S, 3> exam(0xba5);
+  Bars bars;
+  long met = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const auto bar = bars.draw(bars.between(0, 2));
+    const auto foot = bars.near({}, bar.half_extents.z, bar.rotation.axis(2));
+    const auto height = bars.between(1 << 10, 1 << 23);
+    const auto top = [&](int axis) { return bars.near(foot, height, bar.rotation.axis(axis)); };
+    const Capsule<S, 3> capsule{foot, top(i % 2), bars.between(0, 1 << 23)};
+    const Triangle<S, 3> triangle{foot, top(0), top(i % 3)};
+    const bool all_are_right = exam.is_right(bar, capsule) && exam.is_right(bar, triangle);
+    REQUIRE(all_are_right);
+    met += contact(bar, capsule).has_value() + contact(bar, triangle).has_value();
+  }
+  CHECK(met > 400);
 }
 
 TEMPLATE_TEST_CASE("contact: depth and normal of many more pairs are exact", "[oracle][.demand]",

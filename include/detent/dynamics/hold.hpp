@@ -2,6 +2,7 @@
 #pragma once
 
 #include "detent/dynamics/flight.hpp"
+#include "detent/math/components.hpp"
 #include "detent/number/grid.hpp"
 
 // Held bodies (`WorldSettings::hold_distance`). A body is held at a pose while it moves and turns
@@ -93,16 +94,6 @@ template <Scalar S, int N, class Shape>
     let_go(support, body);
   }
   return support;
-}
-
-/// The sum of the magnitudes of a vector's components.
-template <Number T>
-[[nodiscard]] constexpr auto sum_of_magnitudes(const Vec<T, 2>& v) noexcept {
-  return abs(v.x) + abs(v.y);
-}
-template <Number T>
-[[nodiscard]] constexpr auto sum_of_magnitudes(const Vec<T, 3>& v) noexcept {
-  return abs(v.x) + abs(v.y) + abs(v.z);
 }
 
 /// A bound, rounded to nearest, on how far any point of a body is from where it is held, for a body

@@ -23,6 +23,16 @@ template <Number T, int N>
   return longest;
 }
 
+/// The sum of the magnitudes of a vector's components.
+template <Number T>
+[[nodiscard]] constexpr auto sum_of_magnitudes(const Vec<T, 2>& v) noexcept {
+  return abs(v.x) + abs(v.y);
+}
+template <Number T>
+[[nodiscard]] constexpr auto sum_of_magnitudes(const Vec<T, 3>& v) noexcept {
+  return abs(v.x) + abs(v.y) + abs(v.z);
+}
+
 /// A vector without component `axis`, in the order that preserves orientation.
 template <Number T>
 [[nodiscard]] constexpr Vec<T, 2> without(const Vec<T, 3>& v, int axis) noexcept {

@@ -149,33 +149,55 @@ TEMPLATE_TEST_CASE(
   check(Obb<S, N>{at<S, N>(0), at<S, N>(1, 9, 9), {}});
 }
 
-TEMPLATE_TEST_CASE("contact: an upright flat shape touches with its lowest corner or edge",
+TEMPLATE_TEST_CASE("contact: an upright flat shape touches with the edge that rises least",
                    "[contact]", q16_16, q8_8, float) {
   using S = TestType;
-  const auto check = [&](const auto& ground, const auto& shape, std::size_t count) {
+  const auto check = [&](const auto& ground, const auto& shape, std::size_t low, double depth,
+                         std::size_t end, const auto& place) {
     const auto found = contact(ground, shape), back = contact(shape, ground);
     REQUIRE(found);
     REQUIRE(back);
     CHECK(found->depth == num<S>(0.5));
-    CHECK(found->count == count);
-    CHECK(back->count == count);
-    for (std::size_t i = 0; i < found->count; ++i) {
-      CHECK(found->points[i].depth == num<S>(0.5));
-      CHECK(found->points[i].point.y == num<S>(1));
-      CHECK(back->points[i].depth == num<S>(0.5));
-      CHECK(back->points[i].point.y == num<S>(0.5));
+    REQUIRE(found->count == 2);
+    REQUIRE(back->count == 2);
+    CHECK(point_at(*found, at<S, 3>(0, 1)).depth == num<S>(0.5));
+    CHECK(point_at(*found, at<S, 3>(0, 1)).feature == (low << 24 | low << 16 | 0xffff));
+    CHECK(point_at(*found, at<S, 3>(place, 1)).depth == num<S>(depth));
+    CHECK(point_at(*found, at<S, 3>(place, 1)).feature == (end << 24 | end << 16 | 0xffff));
+    CHECK(point_at(*back, at<S, 3>(0, 0.5)).depth == num<S>(0.5));
+    CHECK(point_at(*back, at<S, 3>(place, 1 - depth)).depth == num<S>(depth));
+  };
+  const auto low = at<S, 3>(0, 0.5);
+  const auto check_high = [&](const auto& ground) {
+    // Both lowest corners, at an end of the shape and between its ends.
+    for (const int side : {-1, 1}) {
+      const auto other = at<S, 3>(2 * side, 0.5);
+      check(ground, Triangle<S, 3>{other, low, at<S, 3>(0, 4)}, 1, 0.5, 0, 2 * side);
+      check(ground, Triangle<S, 3>{other, low, at<S, 3>(2 * side, 4)}, 1, 0.5, 0, 2 * side);
+      const std::array wide{at<S, 3>(-3, 2), other, low, at<S, 3>(3, 3)};
+      check(ground, ConvexHull<S, 3>{wide}, 2, 0.5, 1, 2 * side);
     }
   };
-  // Its lowest corner, or both lowest ones, are between the others as seen from above.
-  const Triangle<S, 3> corner{at<S, 3>(-2, 3), at<S, 3>(0, 0.5), at<S, 3>(3, 0.75)};
-  const std::array edge{at<S, 3>(-3, 2), at<S, 3>(-1, 0.5), at<S, 3>(1, 0.5), at<S, 3>(2, 3)};
-  const auto check_both = [&](const auto& ground) {
-    check(ground, corner, 1);
-    check(ground, ConvexHull<S, 3>{edge}, 2);
+  const auto check_sunk = [&](const auto& ground) {
+    for (const int side : {-1, 1}) {
+      // One lowest corner between two others: the edge that rises least; of equal ones, the longer, or
+      // the first.
+      const auto near = at<S, 3>(side, 0.75);
+      check(ground, Triangle<S, 3>{near, at<S, 3>(-2 * side, 1.25), low}, 2, 0.25, 0, side);
+      check(ground, Triangle<S, 3>{near, at<S, 3>(-2 * side, 0.875), low}, 2, 0.125, 1, -2 * side);
+      check(ground, Triangle<S, 3>{near, at<S, 3>(-2 * side, 1), low}, 2, 0, 1, -2 * side);
+      check(ground, Triangle<S, 3>{near, low, at<S, 3>(-side, 0.75)}, 1, 0.25, 0, side);
+      // An upright edge does not count.
+      check(ground, Triangle<S, 3>{at<S, 3>(0, 0.625), near, low}, 2, 0.25, 1, side);
+    }
   };
-  check_both(Plane<S, 3>{toward<S, 3>(0, 1), num<S>(1)});
-  check_both(Aabb<S, 3>{at<S, 3>(-9, -9, -9), at<S, 3>(9, 1, 9)});
-  check_both(Obb<S, 3>{at<S, 3>(0), at<S, 3>(9, 1, 9), {}});
+  const Aabb<S, 3> box{at<S, 3>(-9, -9, -9), at<S, 3>(9, 1, 9)};
+  const Obb<S, 3> turned{at<S, 3>(0), at<S, 3>(9, 1, 9), {}};
+  check_high(Plane<S, 3>{toward<S, 3>(0, 1), num<S>(1)});
+  check_high(box);
+  check_high(turned);
+  check_sunk(box);
+  check_sunk(turned);
 }
 
 TEMPLATE_TEST_CASE("contact: a frustum is the hull of its corners", "[contact]", q16_16, q8_8,

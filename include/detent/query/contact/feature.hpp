@@ -97,7 +97,7 @@ constexpr auto with_corners_from(const Corner<S, N>& origin, const F& f,
 }
 
 /// Keeps only the outermost corners of a flat feature, counter-clockwise seen against d, starting
-/// with the least one; of a straight feature, both ends.
+/// with the least one; of a straight feature, both ends; of a feature seen edge-on, any two corners.
 ///
 /// source: Jarvis, On the Identification of the Convex Hull of a Finite Set of Points (1973)
 template <Scalar S, std::size_t Most>
@@ -141,6 +141,7 @@ template <Scalar S, std::size_t Most>
       }
     }
     Feature<S, 3, Most> result;
+    bool is_in_line = true;
     for (std::size_t at = first; result.count < feature.count;) {
       result.copy(result.count++, feature, at);
       const auto& p = corners[at];
@@ -149,12 +150,14 @@ template <Scalar S, std::size_t Most>
         if (i == at || i == next) continue;
         const auto to_next = corners[next] - p, to_corner = corners[i] - p;
         const auto turn = dot(d, cross(to_next, to_corner));
+        is_in_line = is_in_line && turn == 0;
         if (turn < 0 || (turn == 0 && squared_length(to_corner) > squared_length(to_next)))
           next = i;
       }
       if (next == first) break;
       at = next;
     }
+    if (is_in_line) result.count = (std::min)(result.count, std::size_t{2});
     return result;
   };
   return with_corners_from(feature.corners[first], wrap, feature);
@@ -172,6 +175,29 @@ template <Scalar S, std::size_t Most>
   result.add(feature.corners[low], feature.numbers[low]);
   result.add(feature.corners[high], feature.numbers[high]);
   return result;
+}
+
+/// Of a face seen edge-on, the edge at its deepest corner that is most opposed to d: the one that
+/// rises least along d. Of two equal ones it is the longer, then the first.
+template <Scalar S, std::size_t Most>
+[[nodiscard]] constexpr Feature<S, 3, Most> opposed_edge(const Feature<S, 3, Most>& face,
+                                                         const Feature<S, 3, Most>& deepest,
+                                                         const Direction<S, 3>& d) noexcept {
+  // All corners are in one plane with d, so their cross products with d are parallel.
+  const auto reach_of = [&](const auto& v) { return sum_of_magnitudes(cross(d, v)); };
+  const auto& corner = deepest.corners[0];
+  Feature<S, 3, Most> edge = deepest;
+  auto best = corner - corner;
+  for (std::size_t i = 0; i < face.count; ++i) {
+    const auto v = face.corners[i] - corner;
+    const auto reach = reach_of(v), best_reach = reach_of(best);
+    const auto rise = dot(d, v) * best_reach, best_rise = dot(d, best) * reach;
+    if (!(rise < best_rise || (rise == best_rise && reach > best_reach))) continue;
+    best = v;
+    edge.count = 1;
+    edge.set_next(face.corners[i], face.numbers[i]);
+  }
+  return edge;
 }
 
 /// The feature of `body` that is farthest along v, or least far, exactly; its corners in the world

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "detent/math/components.hpp"
 #include "detent/math/width.hpp"
 #include "detent/number/filter/ratio.hpp"
 #include "detent/query/contact/contact.hpp"
@@ -61,9 +62,9 @@ class ContactBuilder {
     // choice.
     a_is_reference_ = a_is_face && (!b_is_face || seen_ == normal_);
     if (a_is_reference_) {
-      clip(a, b_is_face ? b : incident_of(wide_b(b), b), b.corners[0]);
+      clip(a, b_is_face ? b : incident_of(wide_b(b), b), b);
     } else if (b_is_face) {
-      clip(b, a_is_face ? a : incident_of(wide_a(a), a), a.corners[0]);
+      clip(b, a_is_face ? a : incident_of(wide_a(a), a), a);
     } else if (a.count == 1) {
       add(a.corners[0], false, depth_, both(corner(a, 0), corner_or_edge(b)));
     } else if (b.count == 1) {
@@ -91,22 +92,35 @@ class ContactBuilder {
       add(incident.corners[i], plane_is_a, depth_less(drop(incident.corners[i], lowest)),
           both_by_role(face, corner(incident, i)));
     }
-    if (count_ == 0) add(lowest, plane_is_a, depth_, both_by_role(face, corner(incident, 0)));
+    if (!is_reached_) add(lowest, plane_is_a, depth_, both_by_role(face, corner(incident, 0)));
   }
 
   /// Adds the point where two edges cross, seen along the normal; false if they are parallel.
+  ///
+  /// Rounding may move the point far beyond an end of edges that are nearly parallel. As they do
+  /// meet, the end that it is farthest beyond is then on both.
   [[nodiscard]] constexpr bool meet_edges(const Face& a, const Face& b) noexcept requires(N == 3) {
     const auto e = a.corners[1] - a.corners[0], f = b.corners[1] - b.corners[0];
     const auto all = dot(normal_, cross(e, f));
     if (all == 0) return false;
-    const auto part = dot(normal_, cross(b.corners[0] - a.corners[0], f));
-    add_between(a.corners[0], a.corners[1], part, all, false, depth_,
-                both(edge(a, 0, 1), edge(b, 0, 1)), a.corners[0]);
+    const auto w = b.corners[0] - a.corners[0];
+    const auto part = dot(normal_, cross(w, f)), part_of_b = dot(normal_, cross(w, e));
+    const auto feature = both(edge(a, 0, 1), edge(b, 0, 1));
+    // Twice the part of an edge that the point is beyond its end; negative between the ends.
+    const auto beyond = [&](const auto& to_point) {
+      return abs(to_point + to_point - all) - abs(all);
+    };
+    const auto beyond_b = beyond(part_of_b);
+    if (beyond_b > 0 && beyond_b * sum_of_magnitudes(f) > beyond(part) * sum_of_magnitudes(e)) {
+      add(b.corners[(part_of_b > 0) == (all > 0) ? 1 : 0], true, depth_, feature);
+      return true;
+    }
+    add_between(a.corners[0], a.corners[1], part, all, false, depth_, feature, a.corners[0]);
     return true;
   }
 
   /// Intersects two faces, given as outlines, if it is known where they cross; their corners are at
-  /// most 2^29 steps from each other. False if there are no points.
+  /// most 2^29 steps from each other. False if no point is as deep as the contact, but for rounding.
   [[nodiscard]] constexpr bool meet_faces(bool a_is_reference, const Face& reference,
                                           const Face& incident, const Corner<S, N>& deepest,
                                           const Overlay<Most>& overlay) noexcept requires(N == 3) {
@@ -121,7 +135,7 @@ class ContactBuilder {
     const auto corners = relative(reference), incident_corners = relative(incident);
     add_points(overlay, reference, rim_of(reference, corners), incident,
                rim_of(incident, incident_corners), deepest);
-    return count_ > 0;
+    return is_reached_;
   }
 
   /// The positive one of the normal and its opposite: invariant under swapping the shapes.
@@ -191,17 +205,19 @@ class ContactBuilder {
     return a_is_reference_ ? both(reference, incident) : both(incident, reference);
   }
 
-  /// The outline of a face. A face seen edge-on has only its two ends; if the deepest feature lies
-  /// between them, that feature alone counts.
+  /// The outline of a face; of a face seen edge-on, its deepest edge or, if only one corner is
+  /// deepest, its most opposed edge there.
   [[nodiscard]] constexpr Face incident_of(const Face& wide, const Face& deepest) const noexcept {
     const auto seen = outline(wide, seen_);
-    if (seen.count >= std::size_t{N}) return seen;
-    for (std::size_t i = 0; i < seen.count; ++i) {
-      for (std::size_t k = 0; k < deepest.count; ++k) {
-        if (seen.corners[i] == deepest.corners[k]) return seen;
+    if constexpr (N == 3) {
+      if (seen.count == 2 && wide.count > 2) {
+        return outline(deepest.count > 1
+                           ? deepest
+                           : opposed_edge(wide, deepest, a_is_reference_ ? normal_ : -normal_),
+                       seen_);
       }
     }
-    return outline(deepest, seen_);
+    return seen;
   }
 
   /// How much less deeply than `deepest` a point of the incident feature reaches into the
@@ -210,9 +226,10 @@ class ContactBuilder {
                                     const Corner<S, N>& deepest) const noexcept {
     return a_is_reference_ ? dot(normal_, point - deepest) : dot(normal_, deepest - point);
   }
+  /// At most `depth_`, although `drop` may be negative: no point is deeper, but for rounding.
   template <Number T>
   [[nodiscard]] constexpr Far depth_less(const T& drop) const noexcept {
-    return nearest_to<Far>(depth_ - drop);
+    return drop > 0 ? nearest_to<Far>(depth_ - drop) : depth_;
   }
 
   /// Adds a point of the core of a or, if `is_on_b`, of b, where the cores are `depth` deep.
@@ -265,20 +282,20 @@ class ContactBuilder {
     if (whole_depth < lowest_depth_ || count_ == most) return;
     places_.set(count_, place);
     points_.set(count_, point);
-    depths_.set(count_, whole_depth < 0
-                            ? S(0)
-                            : floor_to<S>(depth < depth_ ? whole_depth : radii_ + depth_));
+    depths_.set(count_, whole_depth < 0 ? S(0) : floor_to<S>(whole_depth));
     features_[count_++] = feature;
+    is_reached_ = is_reached_ || !is_fixed<S> || !(depth < depth_ - steps(most_tilt));
   }
 
   /// How many of the least steps of S the rounding of the normal may move a corner.
   static constexpr int most_tilt = 4;
-  /// Calls `find` again if there are no points yet: long features in one plane may seem apart where
-  /// they meet, because the normal is rounded.
+  /// Calls `find` again if no point is deep enough yet: long features in one plane may seem apart
+  /// where they meet, because the normal is rounded.
   template <class Find>
   constexpr void find_tilted(const Find& find) noexcept {
     if constexpr (is_fixed<S>) {
-      if (count_ > 0) return;
+      if (is_reached_) return;
+      count_ = 0;
       lowest_depth_ = steps(-most_tilt);
       find();
       lowest_depth_ = S(0);
@@ -294,7 +311,7 @@ class ContactBuilder {
     const auto& low = start < end ? start : end;
     const auto& high = start < end ? end : start;
     overlap_between(low, high, reference, incident, deepest, place);
-    if (count_ > 0) return;
+    if (is_reached_) return;
     // Without the rounding of the normal, they would meet in ends.
     const auto beyond = [&](const auto& p) {
       const auto at = place(p);
@@ -306,7 +323,7 @@ class ContactBuilder {
     const auto distance = is_last ? beyond(to) : beyond(from);
     if (square(distance) > squared_unit * square(steps(most_tilt)))
       find_tilted([&] { overlap_between(low, high, reference, incident, deepest, place); });
-    if (count_ > 0) return;
+    if (is_reached_) return;
     const std::size_t i = is_last ? incident.count - 1 : 0;
     add(incident.corners[i], a_is_reference_, depth_,
         both_by_role(edge(reference, 0, 1), corner(incident, i)));
@@ -358,27 +375,33 @@ class ContactBuilder {
     return depth_less(quotient(from * all + (to - from) * part, all));
   }
 
-  constexpr void clip(const Face& reference, const Face& incident,
-                      const Corner<S, N>& deepest) noexcept requires(N == 2) {
-    overlap(reference, incident, deepest, S(1),
+  /// Intersects a reference face and an incident feature of a shape whose deepest feature is
+  /// `deepest`.
+  constexpr void clip(const Face& reference, const Face& incident, const Face& deepest) noexcept
+      requires(N == 2) {
+    overlap(reference, incident, deepest.corners[0], S(1),
             [&](const Corner<S, 2>& p) { return cross(seen_, p - reference.corners[0]); });
   }
 
-  constexpr void clip(const Face& reference, const Face& incident,
-                      const Corner<S, N>& deepest) noexcept requires(N == 3) {
+  constexpr void clip(const Face& reference, const Face& incident, const Face& deepest) noexcept
+      requires(N == 3) {
+    const auto& lowest = deepest.corners[0];
     with_corners_from(
         reference.corners[0],
-        [&](const auto& corners, const auto& incident_corners) {
+        [&](const auto& corners, const auto& incident_corners, const auto& deepest_corners) {
           const auto rim = rim_of(reference, corners);
           const auto incident_rim = rim_of(incident, incident_corners);
-          clip_within(reference, rim, incident, incident_rim, deepest, 0);
-          // They meet in their rims, but for the rounding of the normal.
-          if (count_ == 0) clip_within(reference, rim, incident, incident_rim, deepest, most_tilt);
-          find_tilted([&] { clip_within(reference, rim, incident, incident_rim, deepest, 0); });
+          clip_within(reference, rim, incident, incident_rim, lowest, 0);
+          // The deepest feature meets the reference in its rim, but for the rounding of the normal.
+          if (!is_reached_) {
+            clip_within(reference, rim, deepest, rim_of(deepest, deepest_corners), lowest,
+                        most_tilt);
+          }
+          find_tilted([&] { clip_within(reference, rim, incident, incident_rim, lowest, 0); });
         },
-        reference, incident);
-    if (count_ > 0) return;
-    add(deepest, a_is_reference_, depth_, both_by_role(face, corner(incident, 0)));
+        reference, incident, deepest);
+    if (is_reached_) return;
+    add(lowest, a_is_reference_, depth_, both_by_role(face, corner(deepest, 0)));
   }
 
   /// On which side of something points are, a bit each.
@@ -404,9 +427,9 @@ class ContactBuilder {
   /// The edges of an outline, seen along a direction.
   template <Number T>
   struct Rim {
-    constexpr Rim(const Direction<S, 3>& seen, const VecList<T, 3, Most>& at,
+    constexpr Rim(const Direction<S, 3>& direction, const VecList<T, 3, Most>& at,
                   std::size_t size) noexcept
-        : corners(at), count(size) {
+        : seen(direction), corners(at), count(size) {
       for (std::size_t i = 0; i < count; ++i) {
         across.set(i, cross(seen, corners[next(i)] - corners[i]));
       }
@@ -431,17 +454,20 @@ class ContactBuilder {
       for (std::size_t k = 0; k < other.count; ++k) sides.set(k, side(i, other.corners[k]));
       return sides;
     }
-    /// Whether a point is at most `slack` steps outside.
+    /// Whether a point is at most `slack` steps from an edge, for edges across the direction.
     [[nodiscard]] constexpr bool is_near(const Vec<T, 3>& point, int slack) const noexcept {
+      const auto limit = square(steps(slack));
       for (std::size_t i = 0; i < count; ++i) {
-        const auto turn = side(i, point);
-        if (turn >= 0) continue;
-        if (square(turn) > squared_distance(corners[i], corners[next(i)]) * square(steps(slack)))
-          return false;
+        const auto edge = corners[next(i)] - corners[i], to_point = point - corners[i];
+        const auto along = dot(edge, to_point), whole = squared_length(edge);
+        if (along > 0 && along < whole ? square(side(i, point)) <= whole * limit
+                                       : squared_length(cross(seen, to_point)) <= limit)
+          return true;
       }
-      return true;
+      return false;
     }
 
+    const Direction<S, 3>& seen;
     const VecList<T, 3, Most>& corners;
     VecList<decltype(cross(Direction<S, 3>(), Vec<T, 3>() - Vec<T, 3>()).x), 3, Most> across;
     std::size_t count;
@@ -599,6 +625,7 @@ class ContactBuilder {
   // shapes.
   VecList<Length<S>, N, most> places_;
   std::size_t count_ = 0;
+  bool is_reached_ = false;  // whether a point is as deep as the contact, but for rounding
 };
 
 }  // namespace detent::detail

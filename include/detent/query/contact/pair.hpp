@@ -225,11 +225,11 @@ template <Scalar S, int N, class A, class B>
 /// normal.
 ///
 /// Points: if the normal is that of a face, the most opposed face of the other shape is clipped
-/// against the sides of that face. A segment or the axis of a capsule is clipped as a whole; a face
-/// seen edge-on has its ends, or, if it is deepest between them, its deepest corner or edge. At
-/// most four points are kept, two in 2D: the deepest, the farthest from it, and those that add the
-/// largest area on either side. Two parallel edges give the two ends of their overlap; all other
-/// pairs give one point. Of a face with more than 32 corners, the first 32 count.
+/// against the sides of that face. A segment or the axis of a capsule is clipped as a whole; of a
+/// flat shape seen edge-on, the edge at its deepest corner that is most opposed. At most four points
+/// are kept, two in 2D: the deepest, the farthest from it, and those that add the largest area on
+/// either side. Two parallel edges give the two ends of their overlap; all other pairs give one
+/// point. Of a face with more than 32 corners, the first 32 count.
 ///
 /// To segments, spheres and capsules, an oriented box is its slabs, and depths are measured in its
 /// frame; to other shapes it is the box that its edges span.
@@ -239,8 +239,8 @@ template <Scalar S, int N, class A, class B>
 /// exact:  whether there is a contact; the depth rounded up, error in [0, 1) ULP; the normal of a
 ///         plane as stored, otherwise each component rounded to nearest; points and their depths
 ///         within 4 ULP and 2^-27 of the distance from the origin, because they use the rounded
-///         normal and corners of oriented boxes rounded to the grid, except for a known fault of
-///         faces seen edge-on, in docs/motion.md           (tests/oracle/contact_pairs.test.cpp)
+///         normal and corners of oriented boxes rounded to the grid
+///                                                         (tests/oracle/contact_pairs.test.cpp)
 /// source: van den Bergen (2001), for polytopes: see query/kernel/expansion.hpp
 template <class A, class B>
 requires detail::HaveContact<A, B>

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "detent/math/components.hpp"
 #include "detent/math/width.hpp"
 #include "detent/number/filter/leading.hpp"
 #include "detent/query/kernel/box_witness.hpp"
@@ -253,7 +254,7 @@ class BoxHullWitness {
       }
       if (is_in_feature) continue;
       const auto step = to_corner(k);
-      const auto limit = error * narrow<32>(abs(step.x) + abs(step.y) + abs(step.z));
+      const auto limit = error * narrow<32>(sum_of_magnitudes(step));
       is_least = narrow_dot<93>(v, step) < -limit || is_zero(step);
     }
     return is_least;

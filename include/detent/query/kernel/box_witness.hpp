@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "detent/math/components.hpp"
 #include "detent/math/width.hpp"
 #include "detent/number/filter/leading.hpp"
 #include "detent/query/kernel/length.hpp"
@@ -62,7 +63,7 @@ template <class Names, class LeastAlong, class Corner>
       const auto place = corner(name);
       // `across` is off by less than 1 in each component.
       const auto step = narrow<29>(place - simplex.newest());
-      const auto error = narrow<31>(abs(step.x) + abs(step.y) + abs(step.z));
+      const auto error = narrow<31>(sum_of_magnitudes(step));
       if (!(narrow_dot<60>(across, step) + error < 0)) return true;
       add(name, place);
       return false;

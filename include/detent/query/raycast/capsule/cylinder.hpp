@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/math/components.hpp"
 #include "detent/math/width.hpp"
 #include "detent/number/filter/long_quadratic.hpp"
 #include "detent/query/kernel/point_segment.hpp"
@@ -48,7 +49,7 @@ struct RayCylinder {
       const auto reach = radius * longest();
       return (first > reach && last > reach) || (first < -reach && last < -reach);
     } else {
-      return abs(det) > (abs(k.x) + abs(k.y) + abs(k.z)) * radius;
+      return abs(det) > sum_of_magnitudes(k) * radius;
     }
   }
 
