@@ -103,25 +103,8 @@ bool is_separation(const A& a, const B& b, const Contact<S, N>& found) {
   return meets_after(by);
 }
 
-/// The lengths of a shape's core along all axes, added up; 0 for a plane, whose normal is exact.
-template <Scalar S, class Shape>
-Integer extent(const Shape& shape) {
-  Integer sum = 0;
-  if constexpr (!detail::is_kind<Shape, Plane>) {
-    const auto corners = detail::corners_of(detail::core_of(shape));
-    const auto body = detail::body_of_corners(corners);
-    const auto size = body.high() - body.low();
-    constexpr int finer = decltype(size.x)::frac - S::frac;
-    for (int i = 0; i < body.dimension; ++i) sum += whole(size[i].raw()) >> finer;
-  }
-  return sum;
-}
-
 /// Whether the points of a contact are points of a, and the depth of b there is what they report,
-/// within the bound of their docstring. One must be as deep as the contact: exactly, if no corner is
-/// rounded and the shapes are so short that the rounding of the normal, half a step per component,
-/// changes no depth. Each corner of an oriented box is rounded by at most half a step per component,
-/// less than 1 along the normal; a depth depends on two.
+/// within the bound of their docstring. The deepest must be as deep as the contact.
 template <Scalar S, int N, class A, class B>
 bool has_right_points(const A& a, const B& b, const Contact<S, N>& found) {
   if (found.count == 0) return false;
@@ -132,7 +115,8 @@ bool has_right_points(const A& a, const B& b, const Contact<S, N>& found) {
     const auto& point = found.points[k];
     if (point.depth > deepest) deepest = point.depth;
     auto on_a = raw(point.point), on_b = on_a;
-    Integer size = raw(point.depth);
+    Integer size =
+        std::max({raw(point.depth), raw(detail::radius_of(a)), raw(detail::radius_of(b))});
     for (std::size_t i = 0; i < on_b.size(); ++i) {
       if (on_a[i] <= raw(S::lowest()) || on_a[i] >= raw(S::max())) return true;
       const Integer normal = static_cast<std::int64_t>(found.normal[static_cast<int>(i)].raw());
@@ -143,10 +127,7 @@ bool has_right_points(const A& a, const B& b, const Contact<S, N>& found) {
     if (!is_within(nearest(exact(a), on_a), tolerance)) return false;
     if (!is_within(nearest(exact(b), on_b), tolerance)) return false;
   }
-  const Integer tilt = std::max(extent<S>(a), extent<S>(b)) / one;
-  const int grid = detail::is_kind<A, Obb> || detail::is_kind<B, Obb> ? 2 : 0;
-  return deepest <= found.depth &&
-         raw(found.depth) - raw(deepest) <= std::min<Integer>(tilt + grid, 4);
+  return deepest == found.depth;
 }
 
 /// Whether two contacts are those of the same shapes in both orders.

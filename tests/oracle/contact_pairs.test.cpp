@@ -108,6 +108,55 @@ TEST_CASE("contact: of bars a few steps thick and what stands upright on them", 
   CHECK(met > 400);
 }
 
+template <int N>
+Vec<q16_16, N> steps(const std::array<int, static_cast<std::size_t>(N)>& raw) {
+  return make_vec<N>([&](int i) { return q16_16::from_raw(raw[static_cast<std::size_t>(i)]); });
+}
+
+TEST_CASE("contact: where the rounding of the normal decides which corners meet", "[oracle]") {
+  using S = q16_16;
+  ContactExam<S, 2> planar(0);
+  ContactExam<S, 3> spatial(0);
+  const auto unit = [](int x, int y, int z) {
+    return Direction<S, 3>::from_raw({x, y, z}).value();
+  };
+
+  // An upright edge under the end of another one.
+  const std::array edge{steps<2>({-170977404, 0}), steps<2>({-170977404, -33554428})};
+  CHECK(planar.is_right(Capsule<S, 2>{steps<2>({-170977405, 33554429}),
+                                      steps<2>({-238086260, 33554427}), S::from_raw(67108856)},
+                        ConvexHull<S, 2>{edge}));
+  const auto end = steps<2>({512765475, -499313375});
+  CHECK(planar.is_right(Triangle<S, 2>{steps<2>({510719476, -498853024}), end, end},
+                        Capsule<S, 2>{steps<2>({514811475, -499773725}),
+                                      steps<2>({515271825, -497727725}), S::from_raw(2097150)}));
+
+  // A capsule as good as parallel to the normal.
+  const auto top = steps<3>({-345249, -189936099, -470486451});
+  const std::array corners{
+      steps<3>({818369, -190242988, -469028734}), steps<3>({-115083, -190549875, -469668083}), top,
+      steps<3>({-882303, -192698091, -468376596}), steps<3>({-473119, -192391203, -468261513})};
+  CHECK(spatial.is_right(
+      Capsule<S, 3>{steps<3>({-1022960, -190575449, -468760206}),
+                    steps<3>({-409184, -191163651, -469373982}), S::from_raw(524267)},
+      ConvexHull<S, 3>{corners}));
+  const Rotation thin = Rotation<S, 3>::from_axes({unit(357913941, -715827882, -715827882),
+                                                   unit(715827882, -357913941, 715827882),
+                                                   unit(-715827882, -715827882, 357913941)});
+  CHECK(spatial.is_right(
+      Obb<S, 3>{steps<3>({330283754, -5592403, 2796203}), steps<3>({0, 1, 8388607}), thin},
+      Capsule<S, 3>{steps<3>({337274258, -2796202, -2796202}), steps<3>({335876157, 0, 0}),
+                    S::from_raw(4194302)}));
+
+  // A bar on the rim of a plate.
+  const Rotation both = Rotation<S, 3>::from_axes({unit(-644245095, 0, 858993460),
+                                                   unit(687194768, 644245095, 515396076),
+                                                   unit(-515396076, 858993460, -386547057)});
+  CHECK(spatial.is_right(
+      Obb<S, 3>{steps<3>({-720, -160500025, -408963215}), steps<3>({0, 501, 0}), both},
+      Obb<S, 3>{steps<3>({0, -160499975, -408962675}), steps<3>({0, 500, 500}), both}));
+}
+
 TEMPLATE_TEST_CASE("contact: depth and normal of many more pairs are exact", "[oracle][.demand]",
                    (test::Space<q16_16, 3>), (test::Space<q16_16, 2>)) {
   for (const auto seed : demanded_seeds()) {

@@ -75,7 +75,7 @@ class ContactBuilder {
         const auto& first = a_is_reference_ ? a : b;
         const auto& other = a_is_reference_ ? b : a;
         const auto along = first.corners[1] - first.corners[0];
-        overlap(first, other, other.corners[0], squared_length(along),
+        overlap(first, other, other, squared_length(along),
                 [&](const Corner<S, 3>& p) { return dot(along, p - first.corners[0]); });
       }
     }
@@ -142,7 +142,8 @@ class ContactBuilder {
   [[nodiscard]] constexpr const Direction<S, N>& seen() const noexcept { return seen_; }
 
   /// Writes the points to keep: the deepest, the farthest from it, and in 3D those that add the
-  /// largest area on either side of the line through these two. Ties go to the first point.
+  /// largest area on either side of the line through these two. Ties go to the first point. The
+  /// deepest gets the depth of the contact, which rounding may have lessened.
   constexpr void write(Contact<S, N>& contact) const noexcept {
     const auto best = [&](const auto& value) {
       std::size_t found = 0;
@@ -162,6 +163,7 @@ class ContactBuilder {
     if (count_ == 0) return;
     const auto first = best([&](std::size_t i) { return depths_[i]; }).first;
     keep(first);
+    contact.points[0].depth = contact.depth;
     const auto& p = places_[first];
     const auto second = best([&](std::size_t i) { return squared_distance(p, places_[i]); }).first;
     if (second == first) return;
@@ -289,8 +291,8 @@ class ContactBuilder {
 
   /// How many of the least steps of S the rounding of the normal may move a corner.
   static constexpr int most_tilt = 4;
-  /// Calls `find` again if no point is deep enough yet: long features in one plane may seem apart
-  /// where they meet, because the normal is rounded.
+  /// Calls `find` again, for points that may be slightly apart, if no point is deep enough yet: long
+  /// features in one plane may seem apart where they meet, because the normal is rounded.
   template <class Find>
   constexpr void find_tilted(const Find& find) noexcept {
     if constexpr (is_fixed<S>) {
@@ -305,28 +307,28 @@ class ContactBuilder {
   /// Two segments, or a segment and a point, whose projections along the normal are in one line:
   /// `place` is the position along that line, in units whose square is `squared_unit`.
   template <class Square, class Place>
-  constexpr void overlap(const Face& reference, const Face& incident, const Corner<S, N>& deepest,
+  constexpr void overlap(const Face& reference, const Face& incident, const Face& deepest,
                          const Square& squared_unit, const Place& place) noexcept {
     const auto start = place(reference.corners[0]), end = place(reference.corners[1]);
     const auto& low = start < end ? start : end;
     const auto& high = start < end ? end : start;
-    overlap_between(low, high, reference, incident, deepest, place);
+    const auto& from = deepest.corners[0];
+    const auto& to = deepest.corners[deepest.count - 1];
+    const auto find = [&] { overlap_between(low, high, reference, incident, from, place); };
+    find();
     if (is_reached_) return;
     // Without the rounding of the normal, they would meet in ends.
     const auto beyond = [&](const auto& p) {
       const auto at = place(p);
       return at < low ? low - at : at - high;
     };
-    const auto& from = incident.corners[0];
-    const auto& to = incident.corners[incident.count - 1];
     const bool is_last = beyond(to) < beyond(from);
     const auto distance = is_last ? beyond(to) : beyond(from);
-    if (square(distance) > squared_unit * square(steps(most_tilt)))
-      find_tilted([&] { overlap_between(low, high, reference, incident, deepest, place); });
+    if (square(distance) > squared_unit * square(steps(most_tilt))) find_tilted(find);
     if (is_reached_) return;
-    const std::size_t i = is_last ? incident.count - 1 : 0;
-    add(incident.corners[i], a_is_reference_, depth_,
-        both_by_role(edge(reference, 0, 1), corner(incident, i)));
+    const std::size_t i = is_last ? deepest.count - 1 : 0;
+    add(deepest.corners[i], a_is_reference_, depth_,
+        both_by_role(edge(reference, 0, 1), corner(deepest, i)));
   }
   template <class At, class Place>
   constexpr void overlap_between(const At& low, const At& high, const Face& reference,
@@ -379,7 +381,7 @@ class ContactBuilder {
   /// `deepest`.
   constexpr void clip(const Face& reference, const Face& incident, const Face& deepest) noexcept
       requires(N == 2) {
-    overlap(reference, incident, deepest.corners[0], S(1),
+    overlap(reference, incident, deepest, S(1),
             [&](const Corner<S, 2>& p) { return cross(seen_, p - reference.corners[0]); });
   }
 
@@ -391,13 +393,15 @@ class ContactBuilder {
         [&](const auto& corners, const auto& incident_corners, const auto& deepest_corners) {
           const auto rim = rim_of(reference, corners);
           const auto incident_rim = rim_of(incident, incident_corners);
-          clip_within(reference, rim, incident, incident_rim, lowest, 0);
-          // The deepest feature meets the reference in its rim, but for the rounding of the normal.
-          if (!is_reached_) {
-            clip_within(reference, rim, deepest, rim_of(deepest, deepest_corners), lowest,
-                        most_tilt);
-          }
-          find_tilted([&] { clip_within(reference, rim, incident, incident_rim, lowest, 0); });
+          const auto find = [&] { clip_within(reference, rim, incident, incident_rim, lowest, 0); };
+          find();
+          find_tilted([&] {
+            find();
+            // Then the deepest feature meets the rim of the reference, but for rounding.
+            if (!is_reached_)
+              clip_within(reference, rim, deepest, rim_of(deepest, deepest_corners), lowest,
+                          most_tilt);
+          });
         },
         reference, incident, deepest);
     if (is_reached_) return;
@@ -549,9 +553,8 @@ class ContactBuilder {
                                    const Corner<S, 3>& deepest) noexcept {
     const auto& from = incident.corners[0];
     const auto& to = incident.corners[1];
-    const auto e = to - from, w = reference.corners[i] - from;
-    const auto part = dot(e, w) - dot(normal_, e) * dot(normal_, w);
-    const auto all = dot(e, e) - dot(normal_, e) * dot(normal_, e);
+    const auto along = cross(normal_, to - from), way = cross(normal_, reference.corners[i] - from);
+    const auto part = dot(along, way), all = dot(along, along);
     if (part <= 0 || part >= all) return;
     add_under(reference, i, incident,
               depth_between(drop(from, deepest), drop(to, deepest), part, all), part, all);

@@ -238,9 +238,9 @@ template <Scalar S, int N, class A, class B>
 /// domain: every input; an empty shape touches nothing; depths are clamped to the greatest scalar
 /// exact:  whether there is a contact; the depth rounded up, error in [0, 1) ULP; the normal of a
 ///         plane as stored, otherwise each component rounded to nearest; points and their depths
-///         within 4 ULP and 2^-27 of the distance from the origin, because they use the rounded
-///         normal and corners of oriented boxes rounded to the grid
-///                                                         (tests/oracle/contact_pairs.test.cpp)
+///         within 4 ULP and 2^-27 of the distance from the origin or, if greater, of the radius,
+///         because they use the rounded normal and corners of oriented boxes rounded to the grid;
+///         the deepest point has the depth of the contact  (tests/oracle/contact_pairs.test.cpp)
 /// source: van den Bergen (2001), for polytopes: see query/kernel/expansion.hpp
 template <class A, class B>
 requires detail::HaveContact<A, B>
