@@ -92,7 +92,7 @@ class ContactBuilder {
       add(incident.corners[i], plane_is_a, depth_less(drop(incident.corners[i], lowest)),
           both_by_role(face, corner(incident, i)));
     }
-    if (!is_reached_) add(lowest, plane_is_a, depth_, both_by_role(face, corner(incident, 0)));
+    if (!is_reached_) add(lowest, plane_is_a, depth_, both_by_role(face, corner(deepest, 0)));
   }
 
   /// Adds the point where two edges cross, seen along the normal; false if they are parallel.
