@@ -67,7 +67,7 @@ struct Chain {
     return 2 * abs(exact(x) - expected) <= exact(S::from_raw(1));
   }
 
-  World<S, N, Sphere, Joint> world;
+  BasicWorld<Growing, S, N, Sphere<S, N>, Joint<S, N>> world;  // g++ 12 rejects World here
   std::vector<JointId> joints;
 };
 
