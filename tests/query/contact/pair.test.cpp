@@ -187,6 +187,13 @@ TEMPLATE_TEST_CASE("contact: an upright flat shape touches with the edge that ri
       check(ground, Triangle<S, 3>{near, at<S, 3>(-2 * side, 0.875), low}, 2, 0.125, 1, -2 * side);
       check(ground, Triangle<S, 3>{near, at<S, 3>(-2 * side, 1), low}, 2, 0, 1, -2 * side);
       check(ground, Triangle<S, 3>{near, low, at<S, 3>(-side, 0.75)}, 1, 0.25, 0, side);
+      // Across the x axis the first corner in lexicographic order is the lowest, between the others.
+      const Triangle<S, 3> across{at<S, 3>(0, 0.5625, side), at<S, 3>(0, 0.875, -2 * side), low};
+      const auto found = contact(ground, across);
+      REQUIRE(found);
+      REQUIRE(found->count == 2);
+      CHECK(point_at(*found, at<S, 3>(0, 1)).depth == num<S>(0.5));
+      CHECK(point_at(*found, at<S, 3>(0, 1, side)).depth == num<S>(0.4375));
       // An upright edge does not count.
       check(ground, Triangle<S, 3>{at<S, 3>(0, 0.625), near, low}, 2, 0.25, 1, side);
     }
