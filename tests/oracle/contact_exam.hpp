@@ -20,19 +20,17 @@ class ContactExam {
   template <class A, class B>
   void examine(long count) {
     if constexpr (!(std::is_same_v<A, Plane<S, N>> && std::is_same_v<A, B>)) {
-      long met = 0;
+      const long met_before = met_;
       for (long i = 0; i < count; ++i) {
         const auto setting = any_setting(draw_, Kind::general, 70);
         const auto a = draw_shape<A>(draw_, setting);
         const auto b = draw_shape<B>(draw_, setting);
-        met += contact(a, b).has_value();
         if (!is_right(a, b)) return;
       }
+      const long met = met_ - met_before;
       INFO(draw_.random << ", " << met << " of " << count);
       CHECK(met > 0);
       CHECK(met < count);
-      met_ += met;
-      asked_ += count;
     }
   }
 
@@ -40,6 +38,8 @@ class ContactExam {
   template <class A, class B>
   bool is_right(const A& a, const B& b) {
     const auto found = contact(a, b), mirrored = contact(b, a);
+    ++asked_;
+    met_ += found.has_value();
     const char* wrong = mistake<S, N>(a, b, found, mirrored);
     if (wrong == nullptr) return true;
     const auto truth = least_push(exact(a), exact(b));
@@ -48,6 +48,9 @@ class ContactExam {
                             << text(mirrored));
     return false;
   }
+
+  /// How many of the pairs met so far.
+  [[nodiscard]] long met() const { return met_; }
 
   void finish() {
     INFO(draw_.random << ", " << met_ << " of " << asked_ << " pairs meet");
