@@ -138,6 +138,25 @@ struct BodyRecord {
   }
 };
 
+template <Scalar S, int N, class Shape>
+[[nodiscard]] constexpr bool is_awake(const BodyRecord<S, N, Shape>& body) noexcept {
+  return body.generation != 0 && body.can_move() && !body.sleeps;
+}
+/// Whether a body is kinematic and moves.
+template <Scalar S, int N, class Shape>
+[[nodiscard]] constexpr bool is_driven(const BodyRecord<S, N, Shape>& body) noexcept {
+  using F = Formats<S>;
+  return body.generation != 0 && body.motion == BodyMotion::kinematic &&
+         !(body.state.velocity == Vec<typename F::Speed, N>() &&
+           body.state.spin == Axial<typename F::Spin, N>());
+}
+/// Whether two bodies are in layers that meet.
+template <Scalar S, int N, class Shape>
+[[nodiscard]] constexpr bool layers_meet(const BodyRecord<S, N, Shape>& a,
+                                         const BodyRecord<S, N, Shape>& b) noexcept {
+  return (a.layers & b.collides_with) != 0 && (b.layers & a.collides_with) != 0;
+}
+
 /// The number of parts of a compound; 0 for other bodies.
 template <Scalar S, int N, class Shape>
 [[nodiscard]] constexpr std::size_t part_count(const BodyRecord<S, N, Shape>& body) noexcept {

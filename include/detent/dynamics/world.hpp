@@ -54,9 +54,11 @@ struct TouchEvent {
 /// exact:  as docs/dynamics.md says                     (tests/dynamics/world.test.cpp)
 template <class Storage, Scalar S, int N, class... Parts>
 class BasicWorld {
-  using Tick = detail::Tick<Storage, S, N, Parts...>;
+  using Types = detail::WorldTypes<Storage, S, N, Parts...>;
+  using Tick = detail::Tick<Types>;
+  using ContactParts = detail::ContactParts<Types>;
   using F = detail::Formats<S>;
-  using Body = typename Tick::Body;
+  using Body = typename Types::Body;
 
   static_assert(((detail::IsBodyShape<Parts> || detail::IsJoint<Parts>)&&...),
                 "detent: these are no bodies: docs/dynamics.md lists those that are; for a Plane "
@@ -66,10 +68,10 @@ class BasicWorld {
   static constexpr int dimension = N;
   using Options = BodyOptions<S, N>;
   using Settings = WorldSettings<S, N>;
-  using Contacts = typename Tick::Contacts;
+  using Contacts = typename Types::Contacts;
   static constexpr std::size_t capacity = Storage::capacity;
-  static constexpr std::size_t contact_capacity = Tick::contacts_room;
-  static constexpr std::size_t joint_capacity = Tick::Group::room;
+  static constexpr std::size_t contact_capacity = Types::contacts_room;
+  static constexpr std::size_t joint_capacity = Types::Group::room;
   static constexpr bool has_joints = joint_capacity != 0;
 
   constexpr BasicWorld() noexcept : BasicWorld(Settings()) {}
@@ -275,7 +277,7 @@ class BasicWorld {
       requires(has_joints) {
     const auto* record = joints_.find(id);
     if (record == nullptr) return {};
-    const auto load = Tick::Group::load_of(*record, bodies_, pace_.rate);
+    const auto load = Types::Group::load_of(*record, bodies_, pace_.rate);
     return make_vec<N>([&](int k) { return thrust_of(*record, load[k]); });
   }
   /// The torque of a joint on its body b, the opposite of that on a, by its motor, limits and the
@@ -290,7 +292,7 @@ class BasicWorld {
     detail::Axial<S, N> torque{};
     const auto* record = joints_.find(id);
     if (record == nullptr) return torque;
-    const auto twist = Tick::Group::twist_of(*record, bodies_, pace_.rate);
+    const auto twist = Types::Group::twist_of(*record, bodies_, pace_.rate);
     for (std::size_t k = 0; k < torque.size(); ++k) torque[k] = thrust_of(*record, twist[k]);
     return torque;
   }
@@ -576,7 +578,7 @@ class BasicWorld {
   template <class F>
   constexpr void for_each_touch(const F& f) const {
     for (std::size_t i = 0; i < contacts_.size();) {
-      const auto key = Tick::touching(bodies_, contacts_[i]);
+      const auto key = ContactParts::touching(bodies_, contacts_[i]);
       if (touches(contacts_, i, key)) f(touch_of(key, true));
     }
   }
@@ -715,16 +717,16 @@ class BasicWorld {
         touches = touches || contacts_[i].touches;
       }
       if (!touches || (only != nullptr && !pair.has(only->index))) continue;
-      Tick::visit_touching(
+      detail::PairContacts<Types>::visit_touching(
           bodies_, contacts_, first, settings_.margin, pace_.margin,
           [&](const auto& contact, const auto& at_a, const auto& manifold, const auto& offset) {
-            const auto touch = touch_of(Tick::touching(bodies_, contact), true);
+            const auto touch = touch_of(ContactParts::touching(bodies_, contact), true);
             WorldContact<S, N> view;
             view.a = touch.a;
             view.b = touch.b;
             view.part_a = touch.part_a;
             view.part_b = touch.part_b;
-            view.triangle = Tick::triangle_of(bodies_, contact);
+            view.triangle = ContactParts::triangle_of(bodies_, contact);
             detail::describe<S, N>(view, bodies_[pair.a], bodies_[pair.b], contact, at_a, manifold,
                                    offset, pace_.rate);
             f(view);
@@ -753,7 +755,7 @@ class BasicWorld {
 
   [[nodiscard]] constexpr TouchEvent touch_of(const detail::ContactKey& key,
                                               bool begins) const noexcept {
-    const auto [part_a, part_b] = Tick::parts_touching(bodies_, key);
+    const auto [part_a, part_b] = ContactParts::indices(bodies_, key);
     return {id_of(key.pair.a), id_of(key.pair.b), begins, part_a, part_b};
   }
   /// Whether a pair touches in one of its contacts, which begin at k. Moves k behind them.
@@ -761,7 +763,7 @@ class BasicWorld {
   [[nodiscard]] constexpr bool touches(const Contacts& contacts, std::size_t& k,
                                        const detail::ContactKey& key) const noexcept {
     bool any = false;
-    for (; k < contacts.size() && Tick::touching(bodies_, contacts[k]) == key; ++k) {
+    for (; k < contacts.size() && ContactParts::touching(bodies_, contacts[k]) == key; ++k) {
       any = any || contacts[k].touches;
     }
     return any;
@@ -772,7 +774,7 @@ class BasicWorld {
     const auto& passes = tick_.passes();
     std::size_t i = 0, j = 0, pass = 0;
     const auto at = [&](const auto& contacts, std::size_t k) {
-      return k < contacts.size() ? Tick::touching(bodies_, contacts[k])
+      return k < contacts.size() ? ContactParts::touching(bodies_, contacts[k])
                                  : detail::ContactKey{{~0u, ~0u}};
     };
     while (i < before.size() || j < contacts_.size() || pass < passes.size()) {
@@ -824,13 +826,13 @@ class BasicWorld {
 
   Settings settings_;
   detail::Pace<S, N> pace_;
-  typename Tick::Bodies bodies_;
-  typename Tick::Contacts contacts_;
-  detail::JointTable<typename Tick::Group> joints_;
+  typename Types::Bodies bodies_;
+  typename Types::Contacts contacts_;
+  detail::JointTable<typename Types::Group> joints_;
   std::uint32_t next_ = 1;
   std::uint32_t first_free_ = 0;
   std::size_t size_ = 0;
-  typename Storage::template List<TouchEvent, 2 * (Tick::contacts_room + Tick::passes_room)>
+  typename Storage::template List<TouchEvent, 2 * (Types::contacts_room + Types::passes_room)>
       events_;
   Tick tick_;
   // Neither the last step nor a call since then changed anything, so no further step will.
