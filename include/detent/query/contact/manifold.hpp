@@ -1,32 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
-#include <utility>
 
 #include "detent/math/components.hpp"
-#include "detent/math/width.hpp"
 #include "detent/number/filter/ratio.hpp"
 #include "detent/query/contact/contact.hpp"
 #include "detent/query/contact/feature.hpp"
+#include "detent/query/contact/overlay.hpp"
+#include "detent/query/contact/points.hpp"
 #include "detent/query/kernel/expansion.hpp"
 #include "detent/query/kernel/length.hpp"
 #include "detent/query/kernel/rounded_point.hpp"
 
 namespace detent::detail {
-
-/// Which points two faces have in common, seen along a direction, a bit each: incident corners over
-/// the reference, the edges of the reference that each incident edge crosses, and corners of the
-/// reference under the incident face.
-template <std::size_t Most>
-struct Overlay {
-  std::uint32_t over = 0, under = 0;
-  std::array<std::uint32_t, Most> crossed{};
-};
 
 /// The contact points of two features that face each other across a contact's normal, projected
 /// along it. Corners on the grid and the rounded normal are taken as exact; each coordinate and
@@ -79,7 +69,7 @@ class ContactBuilder {
                 [&](const Corner<S, 3>& p) { return dot(along, p - first.corners[0]); });
       }
     }
-    if (count_ == 0) add(b.corners[0], true, depth_, both(face, corner(b, 0)));
+    if (points_.size() == 0) add(b.corners[0], true, depth_, both(face, corner(b, 0)));
   }
 
   /// Intersects a plane, one of the shapes, and a feature of the other, whose deepest feature is
@@ -141,49 +131,13 @@ class ContactBuilder {
   /// The positive one of the normal and its opposite: invariant under swapping the shapes.
   [[nodiscard]] constexpr const Direction<S, N>& seen() const noexcept { return seen_; }
 
-  /// Writes the points to keep: the deepest, the farthest from it, and in 3D those that add the
-  /// largest area on either side of the line through these two. Ties go to the first point. The
-  /// deepest gets the depth of the contact, which rounding may have lessened.
-  constexpr void write(Contact<S, N>& contact) const noexcept {
-    const auto best = [&](const auto& value) {
-      std::size_t found = 0;
-      auto greatest = value(0);
-      for (std::size_t i = 1; i < count_; ++i) {
-        const auto here = value(i);
-        if (!(here > greatest)) continue;
-        greatest = here;
-        found = i;
-      }
-      return std::pair{found, greatest};
-    };
-    const auto keep = [&](std::size_t i) {
-      contact.points[contact.count++] = {points_[i], depths_[i], features_[i]};
-    };
-    contact.count = 0;
-    if (count_ == 0) return;
-    const auto first = best([&](std::size_t i) { return depths_[i]; }).first;
-    keep(first);
-    contact.points[0].depth = contact.depth;
-    const auto& p = places_[first];
-    const auto second = best([&](std::size_t i) { return squared_distance(p, places_[i]); }).first;
-    if (second == first) return;
-    keep(second);
-    if constexpr (N == 3) {
-      by_width<30>(
-          [&](const auto& edge) {
-            const auto across = cross(seen_, edge);
-            const auto area = [&](std::size_t i) { return dot(across, places_[i] - p); };
-            const auto left = best(area);
-            if (left.second > 0) keep(left.first);
-            const auto right = best([&](std::size_t i) { return -area(i); });
-            if (right.second > 0) keep(right.first);
-          },
-          places_[second] - p);
-    }
-  }
+  /// Writes the points to keep.
+  constexpr void write(Contact<S, N>& contact) const noexcept { points_.write(contact, seen_); }
 
  private:
   using Far = Length<S>;
+  template <Number T>
+  using Rim = detail::Rim<S, Most, T>;
   static constexpr std::uint32_t face = 0xffff;
   static constexpr std::size_t most = 4 * Most;
 
@@ -281,12 +235,9 @@ class ContactBuilder {
   constexpr void push(const Vec<S, N>& point, const Depth& depth, std::uint32_t feature,
                       const Corner<S, N>& place) noexcept {
     const auto whole_depth = radii_ + depth;
-    if (whole_depth < lowest_depth_ || count_ == most) return;
-    places_.set(count_, place);
-    points_.set(count_, point);
-    depths_.set(count_, whole_depth < 0 ? S(0) : floor_to<S>(whole_depth));
-    features_[count_++] = feature;
-    is_reached_ = is_reached_ || !is_fixed<S> || !(depth < depth_ - steps(most_tilt));
+    if (whole_depth < lowest_depth_ || points_.is_full()) return;
+    points_.add(point, whole_depth < 0 ? S(0) : floor_to<S>(whole_depth), feature, place);
+    is_reached_ = is_reached_ || !is_fixed<S> || !(depth < depth_ - steps_of<S>(most_tilt));
   }
 
   /// How many of the least steps of S the rounding of the normal may move a corner.
@@ -297,8 +248,8 @@ class ContactBuilder {
   constexpr void find_tilted(const Find& find) noexcept {
     if constexpr (is_fixed<S>) {
       if (is_reached_) return;
-      count_ = 0;
-      lowest_depth_ = steps(-most_tilt);
+      points_.clear();
+      lowest_depth_ = steps_of<S>(-most_tilt);
       find();
       lowest_depth_ = S(0);
     }
@@ -324,7 +275,7 @@ class ContactBuilder {
     };
     const bool is_last = beyond(to) < beyond(from);
     const auto distance = is_last ? beyond(to) : beyond(from);
-    if (square(distance) > squared_unit * square(steps(most_tilt))) find_tilted(find);
+    if (square(distance) > squared_unit * square(steps_of<S>(most_tilt))) find_tilted(find);
     if (is_reached_) return;
     const std::size_t i = is_last ? deepest.count - 1 : 0;
     add(deepest.corners[i], a_is_reference_, depth_,
@@ -408,74 +359,6 @@ class ContactBuilder {
     add(lowest, a_is_reference_, depth_, both_by_role(face, corner(deepest, 0)));
   }
 
-  /// On which side of something points are, a bit each.
-  struct Sides {
-    std::uint32_t inside = 0, outside = 0;
-
-    template <Number Side>
-    constexpr void set(std::size_t i, const Side& side) noexcept {
-      inside |= std::uint32_t{side > 0} << i;
-      outside |= std::uint32_t{side < 0} << i;
-    }
-    /// The sides of the next of `count` points, in place of each.
-    [[nodiscard]] constexpr Sides of_next(std::size_t count) const noexcept {
-      const auto turned = [&](std::uint32_t bits) { return bits >> 1 | (bits & 1) << (count - 1); };
-      return {turned(inside), turned(outside)};
-    }
-    /// Where the other side is the opposite.
-    [[nodiscard]] constexpr std::uint32_t opposite(const Sides& other) const noexcept {
-      return (inside & other.outside) | (outside & other.inside);
-    }
-  };
-
-  /// The edges of an outline, seen along a direction.
-  template <Number T>
-  struct Rim {
-    constexpr Rim(const Direction<S, 3>& direction, const VecList<T, 3, Most>& at,
-                  std::size_t size) noexcept
-        : seen(direction), corners(at), count(size) {
-      for (std::size_t i = 0; i < count; ++i) {
-        across.set(i, cross(seen, corners[next(i)] - corners[i]));
-      }
-    }
-
-    [[nodiscard]] constexpr std::size_t next(std::size_t i) const noexcept {
-      return i + 1 < count ? i + 1 : 0;
-    }
-    /// Twice the area of the triangle of an edge and a point: positive inside.
-    [[nodiscard]] constexpr auto side(std::size_t i, const Vec<T, 3>& point) const noexcept {
-      return dot(across[i], point - corners[i]);
-    }
-    /// On which side of each edge a point is.
-    [[nodiscard]] constexpr Sides sides_of(const Vec<T, 3>& point) const noexcept {
-      Sides sides;
-      for (std::size_t i = 0; i < count; ++i) sides.set(i, side(i, point));
-      return sides;
-    }
-    /// On which side of edge i the corners of another outline are.
-    [[nodiscard]] constexpr Sides sides_along(std::size_t i, const Rim& other) const noexcept {
-      Sides sides;
-      for (std::size_t k = 0; k < other.count; ++k) sides.set(k, side(i, other.corners[k]));
-      return sides;
-    }
-    /// Whether a point is at most `slack` steps from an edge, for edges across the direction.
-    [[nodiscard]] constexpr bool is_near(const Vec<T, 3>& point, int slack) const noexcept {
-      const auto limit = square(steps(slack));
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto edge = corners[next(i)] - corners[i], to_point = point - corners[i];
-        const auto along = dot(edge, to_point), whole = squared_length(edge);
-        if (along > 0 && along < whole ? square(side(i, point)) <= whole * limit
-                                       : squared_length(cross(seen, to_point)) <= limit)
-          return true;
-      }
-      return false;
-    }
-
-    const Direction<S, 3>& seen;
-    const VecList<T, 3, Most>& corners;
-    VecList<decltype(cross(Direction<S, 3>(), Vec<T, 3>() - Vec<T, 3>()).x), 3, Most> across;
-    std::size_t count;
-  };
   template <Number T>
   [[nodiscard]] constexpr Rim<T> rim_of(const Face& of,
                                         const VecList<T, 3, Most>& corners) const noexcept {
@@ -487,39 +370,8 @@ class ContactBuilder {
   constexpr void clip_within(const Face& reference, const Rim<T>& rim, const Face& incident,
                              const Rim<T>& incident_rim, const Corner<S, 3>& deepest,
                              int slack) noexcept {
-    const auto is_within = [&](const Rim<T>& outline, std::uint32_t outside, const auto& point) {
-      return outside == 0 || (slack > 0 && outline.is_near(point, slack));
-    };
-    Overlay<Most> overlay;
-    std::array<Sides, Most> sides;  // of the edges of the reference, on which incident corners are
-    for (std::size_t k = 0; k < incident.count; ++k) {
-      const auto& point = incident_rim.corners[k];
-      sides[k] = rim.sides_of(point);
-      overlay.over |= std::uint32_t{is_within(rim, sides[k].outside, point)} << k;
-    }
-    if (incident.count > 1) {
-      const std::size_t edges = incident.count == 2 ? 1 : incident.count;
-      std::uint32_t inside = ~std::uint32_t{0}, outside = 0;  // corners of the reference
-      for (std::size_t k = 0; k < incident.count; ++k) {
-        const auto along = incident_rim.sides_along(k, rim);
-        inside &= along.inside;
-        outside |= along.outside;
-        if (k < edges) {
-          overlay.crossed[k] = sides[k].opposite(sides[incident_rim.next(k)]) &
-                               along.opposite(along.of_next(reference.count));
-        }
-      }
-      for (std::size_t i = 0; i < reference.count; ++i) {
-        const auto& r = rim.corners[i];
-        bool is_under = is_within(incident_rim, outside >> i & 1, r);
-        // A corner that is strictly inside does not coincide with one of the incident feature.
-        for (std::size_t k = 0; k < incident.count && (inside >> i & 1) == 0; ++k) {
-          is_under = is_under && !is_zero(cross(seen_, r - incident_rim.corners[k]));
-        }
-        overlay.under |= std::uint32_t{is_under} << i;
-      }
-    }
-    add_points(overlay, reference, rim, incident, incident_rim, deepest);
+    add_points(overlay_of(rim, incident_rim, slack), reference, rim, incident, incident_rim,
+               deepest);
   }
 
   template <Number T>
@@ -575,14 +427,6 @@ class ContactBuilder {
         both_by_role(corner(reference, i), face));
   }
 
-  [[nodiscard]] static constexpr S steps(int count) noexcept {
-    if constexpr (is_fixed<S>) {
-      return S::from_raw(static_cast<typename S::raw_type>(count));
-    } else {
-      return S(0);
-    }
-  }
-
   /// x / (x - y) for numbers of opposite signs.
   template <Number Side>
   [[nodiscard]] static constexpr auto part_of(const Side& x, const Side& y) noexcept {
@@ -621,13 +465,7 @@ class ContactBuilder {
   decltype(S() + S()) radii_;
   S lowest_depth_{};
   bool a_is_reference_ = true;
-  VecList<S, N, most> points_;
-  NumberList<S, most> depths_;
-  std::array<std::uint32_t, most> features_;  // not set to 0: few are used
-  // The positions by which to choose the points to keep: on the grid, invariant under swapping the
-  // shapes.
-  VecList<Length<S>, N, most> places_;
-  std::size_t count_ = 0;
+  ContactPoints<S, N, most> points_;
   bool is_reached_ = false;  // whether a point is as deep as the contact, but for rounding
 };
 
