@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -33,6 +34,16 @@ template <Scalar S, int N>
   Vec<S, N> gravity{};
   gravity.y = S(-10);
   return gravity;
+}
+
+/// Settings with at least one tick per second and one substep, and at most 32,767 substeps per
+/// second: other values are clamped.
+template <class Settings>
+[[nodiscard]] constexpr Settings with_valid_rate(Settings settings) noexcept {
+  constexpr int most = 32767;
+  settings.ticks_per_second = (std::clamp)(settings.ticks_per_second, 1, most);
+  settings.substeps = (std::clamp)(settings.substeps, 1, most / settings.ticks_per_second);
+  return settings;
 }
 
 }  // namespace detail
@@ -68,6 +79,9 @@ struct BodyOptions {
 };
 
 /// How a world steps.
+///
+/// domain: ticks per second and substeps at least 1, their product at most 32,767; a world clamps
+///         the former, then the latter
 template <Scalar S, int N>
 struct WorldSettings {
   int ticks_per_second = 60;

@@ -15,6 +15,7 @@
 #include "detent/dynamics/tick.hpp"
 #include "detent/dynamics/world_contact.hpp"
 #include "detent/math/transform.hpp"
+#include "detent/number/assert.hpp"
 
 namespace detent {
 
@@ -50,7 +51,7 @@ struct TouchEvent {
 /// docs/dynamics.md defines every number of a step and where it is rounded.
 ///
 /// units:  lengths in world units, times in seconds, angles in radians
-/// domain: scalars with up to 31 bits; ticks per second times substeps in [1, 32767]
+/// domain: scalars with up to 31 bits
 /// exact:  as docs/dynamics.md says                     (tests/dynamics/world.test.cpp)
 template <class Storage, Scalar S, int N, class... Parts>
 class BasicWorld {
@@ -76,7 +77,7 @@ class BasicWorld {
 
   constexpr BasicWorld() noexcept : BasicWorld(Settings()) {}
   explicit constexpr BasicWorld(const Settings& settings) noexcept
-      : settings_(settings), pace_(detail::pace_of(settings)) {}
+      : settings_(detail::with_valid_rate(settings)), pace_(detail::pace_of(settings_)) {}
 
   constexpr BasicWorld(const BasicWorld&) = default;
   /// Takes time proportional to the contents: the unused capacity of a bounded world is not copied.
@@ -120,8 +121,9 @@ class BasicWorld {
   // clang-format on
 
   /// Adds a body with an id chosen by the caller, such as that of a removed body. False if the
-  /// index is in use or beyond the world's capacity, for the generation 0, or for a compound as
-  /// above.
+  /// index is in use or beyond the world's capacity, for a generation that is not in [1, 0xfffffffe],
+  /// or for a compound as above. `add` then continues with the next generation: after the last one
+  /// it adds nothing.
   template <detail::Among<Parts...> Shape>
   requires(!detail::IsJoint<Shape>) constexpr bool put(const BodyId& id, const Shape& shape,
                                                        const Options& options = {}) {
@@ -601,6 +603,7 @@ class BasicWorld {
   /// Pairs that began or stopped touching in the last step.
   [[nodiscard]] constexpr std::size_t event_count() const noexcept { return events_.size(); }
   [[nodiscard]] constexpr const TouchEvent& event(std::size_t i) const noexcept {
+    DETENT_ASSERT(i < events_.size());
     return events_[i];
   }
 

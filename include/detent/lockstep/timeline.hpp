@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "detent/lockstep/input_codec.hpp"
+#include "detent/number/assert.hpp"
 
 namespace detent {
 
@@ -16,8 +17,12 @@ template <class Input, std::size_t Players>
 class FrameInputs {
  public:
   /// Inputs of a frame without players, until they are set.
+  ///
+  /// domain: at most `Players` players, here and below
   constexpr FrameInputs(std::uint32_t frame, std::size_t players) noexcept
-      : frame_(frame), players_(players) {}
+      : frame_(frame), players_(players) {
+    DETENT_ASSERT(players <= Players);
+  }
 
   /// The number of the frame, from 0.
   [[nodiscard]] constexpr std::uint32_t frame() const noexcept { return frame_; }
@@ -25,13 +30,16 @@ class FrameInputs {
   [[nodiscard]] constexpr std::size_t size() const noexcept { return players_; }
   /// A player's input; `Input{}` after the player left.
   [[nodiscard]] constexpr const Input& operator[](std::size_t player) const noexcept {
+    DETENT_ASSERT(player < Players);
     return inputs_[player];
   }
   /// Whether the player still plays.
   [[nodiscard]] constexpr bool is_in(std::size_t player) const noexcept {
+    DETENT_ASSERT(player < Players);
     return ((present_ >> player) & 1u) != 0;
   }
   constexpr void set(std::size_t player, const Input& input) noexcept {
+    DETENT_ASSERT(player < Players);
     inputs_[player] = input;
     present_ |= 1u << player;
   }

@@ -14,6 +14,8 @@ enum class Integrator : std::uint8_t {
 };
 
 /// How a `ParticleSystem` steps.
+///
+/// domain: ticks per second and substeps as for `WorldSettings`
 template <Scalar S, int N>
 struct ParticleSettings {
   int ticks_per_second = 60;

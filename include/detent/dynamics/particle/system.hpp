@@ -45,7 +45,7 @@ class BasicParticleSystem {
 
   constexpr BasicParticleSystem() noexcept : BasicParticleSystem(ParticleSettings<S, N>()) {}
   explicit constexpr BasicParticleSystem(const ParticleSettings<S, N>& settings) noexcept
-      : settings_(settings), pace_(detail::pace_of(settings)) {}
+      : settings_(detail::with_valid_rate(settings)), pace_(detail::pace_of(settings_)) {}
 
   [[nodiscard]] constexpr const ParticleSettings<S, N>& settings() const noexcept {
     return settings_;
