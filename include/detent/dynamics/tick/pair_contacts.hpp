@@ -155,6 +155,20 @@ class PairContacts {
     std::uint32_t part = 0;
   };
 
+  /// Where a part of a compound is.
+  struct PlacedPart {
+    RelativePose<S, N> pose;  // in its body
+    Support<S, N> support;
+
+    constexpr PlacedPart(const SolidCompound<S, N>& asset, const BodyPart<S, N>& part,
+                         const Support<S, N>& held) noexcept
+        : pose(pose_in(asset, part)) {
+      const auto at = part_at(Standing<S, N>{held.place, held.axes}, pose);
+      support.place = at.place;
+      support.axes = at.axes;
+    }
+  };
+
   /// Calls f for each part of a compound in order, or once for a body with a single shape.
   template <class Shape, class Visit>
   static constexpr void for_each_placed(const Bodies& bodies, std::uint32_t body,
@@ -163,13 +177,10 @@ class PairContacts {
       if (shape.asset == nullptr) return;
       const auto parts = shape.asset->parts();
       for (std::size_t k = 0; k < parts.size(); ++k) {
-        const auto pose = pose_in(*shape.asset, parts[k]);
-        const auto at = part_at(Standing<S, N>{held[body].place, held[body].axes}, pose);
-        Support<S, N> support;
-        support.place = at.place;
-        support.axes = at.axes;
+        const PlacedPart at(*shape.asset, parts[k], held[body]);
         Types::visit_part(parts[k], [&]<class Part>(const Part& part) {
-          f(Placed<Part>{part, support, parts[k].reach(), &pose, static_cast<std::uint32_t>(k)});
+          f(Placed<Part>{part, at.support, parts[k].reach(), &at.pose,
+                         static_cast<std::uint32_t>(k)});
         });
       }
     } else {

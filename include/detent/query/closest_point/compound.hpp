@@ -12,7 +12,7 @@ namespace detent {
 /// units:  world units
 /// domain: every input; a compound without parts gives `point`
 /// result: of parts with equal `distance`s, even if equal only by rounding or clamping, the first
-///         counts
+///         that is not empty counts
 /// exact:  the part is the nearest within 1 ULP of the scalar; each coordinate is rounded as by its
 ///         `closest_point`                                          (tests/query/compound.test.cpp)
 template <class... Shapes, Scalar S, int N>

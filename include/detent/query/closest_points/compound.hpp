@@ -8,14 +8,15 @@
 
 namespace detent {
 
-/// The closest points of the part of `compound` nearest to `shape`, which may be a compound itself.
+/// The closest points of the part of `compound` nearest to `shape`, which may be a compound itself:
+/// first on the part, then on `shape`. If the compound comes second, those of `shape` and the part.
 /// Also include `query/closest_points/pair.hpp`, `query/distance/pair.hpp` and
 /// `query/distance/compound.hpp`.
 ///
 /// units:  world units
 /// domain: every input; a compound without parts gives the origin twice
 /// result: of parts with equal `distance`s, even if equal only by rounding or clamping, the first
-///         counts
+///         that is not empty counts
 /// exact:  the part is the nearest within 1 ULP of the scalar; each coordinate is rounded as by
 ///         `closest_points` of the part              (tests/query/closest_points/compound.test.cpp)
 template <class First, class... Rest, class Shape>
@@ -33,8 +34,12 @@ template <class Shape, class... Shapes>
 requires(!is_compound<Shape> && !detail::IsPoint<Shape>)
     [[nodiscard]] constexpr auto closest_points(const Shape& shape,
                                                 const Compound<Shapes...>& compound) noexcept {
-  const auto points = closest_points(compound, shape);
-  return std::pair{points.second, points.first};
+  using Points = decltype(closest_points(compound, shape));
+  using S = decltype(distance(compound, shape));
+  Points points;
+  detail::visit_nearer_parts<S>(compound, shape,
+                                [&](const auto& part) { points = closest_points(shape, part); });
+  return points;
 }
 
 }  // namespace detent

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "detent/math/direction.hpp"
+#include "detent/number/next_up.hpp"
 
 namespace detent::detail {
 
@@ -74,13 +75,14 @@ template <Scalar S>
   });
 }
 
-/// The planes met during a move, as half-spaces of translations from the character's position. The
-/// first `capacity` are kept.
+/// Some planes, as half-spaces of translations from the character's position: those met during a
+/// move, or those of what it overlaps.
 template <Scalar S, int N>
 class HalfSpaces {
  public:
   static constexpr std::size_t capacity = 8;
 
+  /// Of planes with the same normal the farthest is kept, and of all planes the first `capacity`.
   constexpr void add(const Direction<S, N>& normal, const S& offset) noexcept {
     for (std::size_t i = 0; i < count_; ++i) {
       if (list_[i].normal != normal) continue;
@@ -88,6 +90,23 @@ class HalfSpaces {
       return;
     }
     if (count_ < capacity) list_[count_++] = {normal, offset};
+  }
+
+  /// The same, but the planes with the greatest offsets are kept, in this order, and then in that of
+  /// their normals: so the order of these calls does not matter.
+  constexpr void add_sorted(const Direction<S, N>& normal, const S& offset) noexcept {
+    const HalfSpace<S, N> added{normal, offset};
+    std::size_t old = 0;  // of this normal, or the last one
+    while (old < count_ && list_[old].normal != normal) ++old;
+    if (old == count_) {
+      if (count_ == capacity) --old;
+      if (count_ == capacity && !is_before(added, list_[old])) return;
+      if (count_ < capacity) ++count_;
+    } else if (offset <= list_[old].offset) {
+      return;
+    }
+    for (; old > 0 && is_before(added, list_[old - 1]); --old) list_[old] = list_[old - 1];
+    list_[old] = added;
   }
 
   /// Translates the character by `by`: offsets change with it, rounded up. Planes farther away than
@@ -110,7 +129,8 @@ class HalfSpaces {
   }
 
   /// The translation in all half-spaces, or outside by at most `slack`, that is closest to `to`; of
-  /// several, the first in order of planes. Nothing if there is none.
+  /// several, the first in order of planes. Nothing if there is none. `to` itself may only be outside
+  /// by rounding: otherwise short motions would end in front of a plane instead of along it.
   ///
   /// It is the projection of `to` onto a polyhedron: `to` itself, or a point on one plane, on a
   /// crease of two or in a corner of three. All of them are tried.
@@ -119,11 +139,12 @@ class HalfSpaces {
   ///         creases, Quake, PM_SlideMove (pmove.c)
   [[nodiscard]] constexpr std::optional<Vec<S, N>> closest(const Vec<S, N>& to,
                                                            const S& slack) const noexcept {
-    if (contain(to, slack)) return to;
+    const S least = (std::max)(quotient_floor<S>(slack, as_operand<S>(1024)), least_slack());
+    if (contain(to, least)) return to;
     Best best{*this, to, slack, std::nullopt};
     for (std::size_t i = 0; i < count_; ++i) {
       // A violated plane whose closest point is in all other half-spaces is the only active one.
-      if (!is_in(to, list_[i], slack) && best.offer(closest_on(to, list_[i]))) return best.point;
+      if (!is_in(to, list_[i], least) && best.offer(closest_on(to, list_[i]))) return best.point;
     }
     for (std::size_t i = 0; i < count_; ++i) {
       for (std::size_t j = 0; j < i; ++j) best.offer(closest_on(to, list_[j], list_[i]));
@@ -151,6 +172,15 @@ class HalfSpaces {
       return true;
     }
   };
+
+  static constexpr S least_slack() noexcept { return is_fixed<S> ? next_up(S(0)) : S(0); }
+  static constexpr bool is_before(const HalfSpace<S, N>& a, const HalfSpace<S, N>& b) noexcept {
+    if (a.offset != b.offset) return a.offset > b.offset;
+    for (int i = 0; i < N; ++i) {
+      if (a.normal[i] != b.normal[i]) return a.normal[i] < b.normal[i];
+    }
+    return false;
+  }
 
   static constexpr bool is_in(const Vec<S, N>& x, const HalfSpace<S, N>& space,
                               const S& slack) noexcept {

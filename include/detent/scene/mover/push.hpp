@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
 #include "detent/query/contact/pair.hpp"
 #include "detent/scene/height_field/placed.hpp"
 #include "detent/scene/hull/placed.hpp"
+#include "detent/scene/mesh/contact.hpp"
 #include "detent/scene/mover/half_spaces.hpp"
 #include "detent/scene/mover/step.hpp"
 
@@ -16,37 +15,19 @@ inline constexpr bool is_terrain = false;
 template <Scalar S>
 inline constexpr bool is_terrain<PlacedField<S>> = true;
 
-/// How a shape leaves a triangle of terrain, whose front is its upper side.
-template <Scalar S, class Shape>
-[[nodiscard]] constexpr std::optional<HalfSpace<S, 3>> way_up(const Triangle<S, 3>& triangle,
-                                                              const Shape& shape) noexcept {
-  const auto normal = direction_of<S>(cross(triangle.b - triangle.a, triangle.c - triangle.a));
-  if (!normal) return std::nullopt;
-  return HalfSpace<S, 3>{*normal,
-                         ceil_to<S>(dot(triangle.a, *normal) - lowest_along(shape, *normal))};
-}
-
-/// Adds the half-space of translations that bring a shape out of a target that it overlaps.
+/// Adds the half-spaces of translations that bring a shape out of a target that it overlaps.
 template <Scalar S, int N, class Target, class Shape>
 constexpr void add_way_out(HalfSpaces<S, N>& spaces, const Target& target, const Shape& shape) {
   if constexpr (is_surface_type<Target>) {
-    visit_within(target, bounding_box(shape), [&](auto triangles) {
-      for (const auto& part : triangles) {
-        const auto found = contact(part.triangle, shape);
-        if (!found) continue;
-        HalfSpace<S, N> way{found->normal, found->depth};
-        if constexpr (is_terrain<Target>) {
-          if (way.normal[1] < 0) way = way_up(part.triangle, shape).value_or(way);
-        }
-        spaces.add(way.normal, way.offset);
-      }
-      return Walk::go_on;
+    constexpr Facing facing = is_terrain<Target> ? Facing::front : Facing::both;
+    SurfaceContacts<Target, Shape, S>(target, shape, facing).visit([&](const auto& found) {
+      spaces.add_sorted(found.contact.normal, found.contact.depth);
     });
   } else if constexpr (requires { HullPoints(target); }) {
     const HullPoints points(target);
     add_way_out(spaces, points.hull(), shape);
   } else if (const auto found = contact(target, shape)) {
-    spaces.add(found->normal, found->depth);
+    spaces.add_sorted(found->normal, found->depth);
   }
 }
 

@@ -48,8 +48,9 @@ class MoverRun {
     steps_.prepare();
     if (!steps_.has_room()) push();
     const S rise = nearest_to<S>(dot(by, up_));
-    if (ground.is_grounded &&
-        !(dot(by, ground.normal) > quotient_floor<S>(skin_, as_operand<S>(8)))) {
+    const bool leaves =
+        rise > 0 && dot(by, ground.normal) > quotient_floor<S>(skin_, as_operand<S>(8));
+    if (ground.is_grounded && !leaves) {
       walk(rise < 0 ? across(by) : by, nearest_to<S>(-(std::min)(rise, S(0))));
     } else {
       slide(steps_, by, true, rise > 0);
