@@ -27,19 +27,20 @@ struct Mover {
   ///
   /// 1. the frame of the object that it stands on carries it along, rigidly (an object without a
   ///    frame does not, even if it moves: give platforms a frame);
-  /// 2. it is pushed out of what it overlaps, by contacts, in at most four steps, each at most four
-  ///    times as long as the greatest of their depths;
+  /// 2. it is pushed out of what it overlaps, by contacts (of meshes and terrain those of `contacts`,
+  ///    without bumps at inner edges), in at most four steps, each at most four times as long as the
+  ///    greatest of their depths;
   /// 3. standing on ground, it walks: the horizontal part of `by` leads along walls, up slopes that
   ///    are not too steep and over steps, then down to ground within `snap_distance`, or it falls;
   /// 4. in the air, it flies and slides along obstacles, and stands on the ground where it lands. A
-  ///    motion away from its ground by more than an eighth of the skin leaves the ground, as a jump
-  ///    does; so does `ground = {}`.
+  ///    motion upward that leads away from its ground by more than an eighth of the skin leaves the
+  ///    ground, as a jump does; so does `ground = {}`.
   ///
   /// It stays a skin away from the surfaces it moves along, except in narrower gaps.
   ///
   /// units:  world units
   /// domain: every input; an empty shape passes everything; a move that would leave the range of the
-  ///         scalar ends
+  ///         scalar ends, and one longer than a quarter of that range may end early
   /// result: it never passes through an object on its way, however thin the object and fast the
   ///         move, and ends overlapping nothing except what it overlapped at the start; a mesh or a
   ///         terrain is one object. At most 28 casts, twice as many if it starts inside something

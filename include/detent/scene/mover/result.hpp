@@ -18,7 +18,8 @@ struct MoverSettings {
   /// The distance that the character keeps from surfaces; at least 32 ULP, one for each cast of the
   /// longest move and as many to spare.
   S skin = quotient_nearest<S>(S(1), detail::as_operand<S>(64));
-  /// The highest step that it climbs; 0 for none.
+  /// The highest step that it climbs, by up to a skin more; 0 for none. A round foot of radius r also
+  /// rolls over edges up to r (1 - cos max_slope) high.
   S step_height = quotient_nearest<S>(S(1), detail::as_operand<S>(3));
   /// How far down it follows the ground, along slopes and steps; 0 for not at all.
   S snap_distance = quotient_nearest<S>(S(1), detail::as_operand<S>(3));
