@@ -114,6 +114,21 @@ TEST_CASE("world: bodies collide only if both layer masks agree") {
   CHECK(world.position(rests).y > 0);
 }
 
+TEST_CASE("world: rates out of the domain are clamped") {
+  const auto rates = [](int ticks, int substeps) {
+    BallWorld<q16_16, 3> world({.ticks_per_second = ticks, .substeps = substeps});
+    add_ball(world, 0, 0);
+    world.step();
+    const auto& settings = world.settings();
+    return std::pair{settings.ticks_per_second, settings.substeps};
+  };
+  CHECK(rates(60, 4) == std::pair{60, 4});
+  CHECK(rates(60000, 9) == std::pair{32767, 1});
+  CHECK(rates(100, 2'000'000'000) == std::pair{100, 327});
+  CHECK(rates(0, 0) == std::pair{1, 1});
+  CHECK(rates(-60, -4) == std::pair{1, 1});
+}
+
 TEST_CASE("world: a skipped step would change nothing") {
   BallWorld<q16_16, 2> world;
   add_round_ground(world);
