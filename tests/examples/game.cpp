@@ -242,5 +242,5 @@ int main() {
   for (const int count : seen) {
     if (count == 0) return 2;
   }
-  return result == 0x69d4fea2a480772fu ? 0 : 3;
+  return result == 0x22533ef29387d48du ? 0 : 3;
 }
