@@ -39,7 +39,8 @@ TEMPLATE_TEST_CASE(
   };
   const Segment<S, N> edge{at<S, N>(0, 9), at<S, N>(4, 9)};
   const auto check = [](const auto& a, const auto& b) {
-    const std::array as{a}, bs{b};
+    const std::array as{a};
+    const std::array bs{b};
     const auto expected = closest_points(a, b);
     CHECK(closest_points(Compound{as}, b) == expected);
     CHECK(closest_points(a, Compound{bs}) == expected);
