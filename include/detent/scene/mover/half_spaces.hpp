@@ -98,11 +98,11 @@ class HalfSpaces {
     const HalfSpace<S, N> added{normal, offset};
     std::size_t old = 0;  // of this normal, or the last one
     while (old < count_ && list_[old].normal != normal) ++old;
-    if (old == count_) {
-      if (count_ == capacity) --old;
-      if (count_ == capacity && !is_before(added, list_[old])) return;
-      if (count_ < capacity) ++count_;
-    } else if (offset <= list_[old].offset) {
+    if (old < count_) {
+      if (offset <= list_[old].offset) return;
+    } else if (count_ < capacity) {
+      ++count_;
+    } else if (!is_before(added, list_[--old])) {
       return;
     }
     for (; old > 0 && is_before(added, list_[old - 1]); --old) list_[old] = list_[old - 1];
