@@ -32,13 +32,22 @@ struct Closest {
     if (point_a == nullptr || point_b == nullptr) return DETENT_BAD_ARGUMENT;
     const auto status = check_lists<N>(context, a, a_count, b, b_count);
     if (status != DETENT_OK) return status;
+    const auto has_points = [&](const typename T::Shape& shape) {
+      return with_hull_or_points<N>(context, shape, [](const auto& one) {
+               return detail::has_points(one) ? DETENT_OK : DETENT_NO;
+             }) == DETENT_OK;
+    };
+    // As for two compounds in C++: of equally near parts the first that are not empty.
     const typename T::Shape *one = nullptr, *other = nullptr;
+    bool has_found = false;
     std::int32_t least = 0;
     for (std::uint32_t i = 0; i < a_count; ++i) {
       for (std::uint32_t k = 0; k < b_count; ++k) {
         std::int32_t between = 0;
         static_cast<void>(distance(context, &a[i], 1, &b[k], 1, &between));
-        if (one != nullptr && between >= least) continue;
+        const bool is_found = has_points(a[i]) && has_points(b[k]);
+        if (one != nullptr && (has_found || !is_found) && between >= least) continue;
+        has_found = has_found || is_found;
         one = &a[i];
         other = &b[k];
         least = between;
@@ -46,10 +55,10 @@ struct Closest {
     }
     *point_a = *point_b = typename T::Vec{};
     if (one == nullptr) return DETENT_OK;
-    // As C++ does for two compounds: the shape of the second list comes first.
-    return with_hull_or_points<N>(context, *other, [&](const auto& second) {
-      return with_hull_or_points<N>(
-          context, *one, [&](const auto& first) { return write(second, first, point_b, point_a); });
+    return with_hull_or_points<N>(context, *one, [&](const auto& first) {
+      return with_hull_or_points<N>(context, *other, [&](const auto& second) {
+        return write(first, second, point_a, point_b);
+      });
     });
   }
 

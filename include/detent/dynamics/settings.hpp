@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -41,8 +40,9 @@ template <Scalar S, int N>
 template <class Settings>
 [[nodiscard]] constexpr Settings with_valid_rate(Settings settings) noexcept {
   constexpr int most = 32767;
-  settings.ticks_per_second = (std::clamp)(settings.ticks_per_second, 1, most);
-  settings.substeps = (std::clamp)(settings.substeps, 1, most / settings.ticks_per_second);
+  int &ticks = settings.ticks_per_second, &substeps = settings.substeps;
+  ticks = ticks < 1 ? 1 : ticks > most ? most : ticks;
+  substeps = substeps < 1 ? 1 : substeps > most / ticks ? most / ticks : substeps;
   return settings;
 }
 
