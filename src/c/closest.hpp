@@ -45,9 +45,9 @@ struct Closest {
       for (std::uint32_t k = 0; k < b_count; ++k) {
         std::int32_t between = 0;
         static_cast<void>(distance(context, &a[i], 1, &b[k], 1, &between));
-        const bool is_found = has_points(a[i]) && has_points(b[k]);
+        const bool is_found = has_found || (has_points(a[i]) && has_points(b[k]));
         if (one != nullptr && (has_found || !is_found) && between >= least) continue;
-        has_found = has_found || is_found;
+        has_found = is_found;
         one = &a[i];
         other = &b[k];
         least = between;

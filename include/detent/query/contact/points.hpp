@@ -31,9 +31,9 @@ class ContactPoints {
     features_[count_++] = feature;
   }
 
-  /// Writes the points to keep, seen along a direction: the deepest, the farthest from it, and in 3D those that add the
-  /// largest area on either side of the line through these two. Ties go to the first point. The
-  /// deepest gets the depth of the contact, which rounding may have lessened.
+  /// Writes the points to keep, seen along a direction: the deepest, the farthest from it, and in 3D
+  /// those that add the largest area on either side of the line through these two. Ties go to the
+  /// first point. The deepest gets the depth of the contact, which rounding may have lessened.
   constexpr void write(Contact<S, N>& contact, const Direction<S, N>& seen) const noexcept {
     const auto best = [&](const auto& value) {
       std::size_t found = 0;

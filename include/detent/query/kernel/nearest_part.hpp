@@ -21,10 +21,10 @@ constexpr void visit_nearer_parts(const Compound<Shapes...>& compound, const Sha
   bool is_first = true, has_found = false;
   for_each_part(compound, [&](const auto& part) {
     const S to_part = distance(part, shape);
-    const bool is_found = has_points(part);
+    const bool is_found = has_found || has_points(part);
     if (!is_first && (has_found || !is_found) && to_part >= least) return;
     is_first = false;
-    has_found = has_found || is_found;
+    has_found = is_found;
     least = to_part;
     visit(part);
   });

@@ -27,6 +27,16 @@ struct MeshContact {
 
 namespace detail {
 
+/// Which sides of a surface push, unless the caller says: terrain has its front above.
+template <class Surface>
+inline constexpr Facing usual_facing = Facing::both;
+template <class Surface>
+requires requires(const Surface& s) { s.heights; }
+inline constexpr Facing usual_facing<Surface> = Facing::front;
+template <class Surface>
+requires requires(const Surface& s) { s.asset->field(); }
+inline constexpr Facing usual_facing<Surface> = Facing::front;
+
 /// How deep a shape is behind the plane of a triangle; `normal` is perpendicular to it.
 template <Scalar S, class Normal>
 struct FacePush {
@@ -251,9 +261,7 @@ template <template <class> class Surface, Scalar S, MeetsTriangles<S> Shape>
 requires is_surface<Surface>
 constexpr std::size_t contacts(const Surface<S>& surface, const Shape& shape,
                                std::span<std::type_identity_t<MeshContact<S>>> out) noexcept {
-  constexpr bool has_front = requires { surface.heights; }
-  || requires { surface.asset->field(); };
-  return contacts(surface, shape, out, has_front ? Facing::front : Facing::both);
+  return contacts(surface, shape, out, detail::usual_facing<Surface<S>>);
 }
 
 }  // namespace detent

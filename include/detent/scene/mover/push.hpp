@@ -10,19 +10,13 @@
 
 namespace detent::detail {
 
-template <class T>
-inline constexpr bool is_terrain = false;
-template <Scalar S>
-inline constexpr bool is_terrain<PlacedField<S>> = true;
-
 /// Adds the half-spaces of translations that bring a shape out of a target that it overlaps.
 template <Scalar S, int N, class Target, class Shape>
 constexpr void add_way_out(HalfSpaces<S, N>& spaces, const Target& target, const Shape& shape) {
   if constexpr (is_surface_type<Target>) {
-    constexpr Facing facing = is_terrain<Target> ? Facing::front : Facing::both;
-    SurfaceContacts<Target, Shape, S>(target, shape, facing).visit([&](const auto& found) {
-      spaces.add_sorted(found.contact.normal, found.contact.depth);
-    });
+    const SurfaceContacts<Target, Shape, S> contacts(target, shape, usual_facing<Target>);
+    contacts.visit(
+        [&](const auto& found) { spaces.add_sorted(found.contact.normal, found.contact.depth); });
   } else if constexpr (requires { HullPoints(target); }) {
     const HullPoints points(target);
     add_way_out(spaces, points.hull(), shape);
