@@ -187,6 +187,16 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
     return write_hits(moving, room, filter);
   }
 
+  // Deleted: compilers show the line with the name.
+  // clang-format off
+  template <class Question, ObjectFilter Filter = Everything>
+  void all(const Question&, const Filter& = {}) const requires(!is_growing) = delete;  // detent: a BoundedScene writes to a std::span: all(question, room)
+  template <PairFilter Filter = Everything>
+  void overlaps(const Filter& = {}) const requires(!is_growing) = delete;  // detent: a BoundedScene writes to a std::span: overlaps(room)
+  template <class Question, ObjectFilter Filter = Everything>
+  void all_hits(const Question&, const Filter& = {}) const requires(!is_growing) = delete;  // detent: a BoundedScene writes to a std::span: all_hits(question, room)
+  // clang-format on
+
  private:
   /// Sorts pairs of objects with indices below `end`, of which each has one id. Counting how many
   /// pairs come before each index takes less time than comparing, unless pairs are few.
