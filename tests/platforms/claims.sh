@@ -15,7 +15,7 @@ trap 'rm -rf "$work"' EXIT
 # Prints the results as a block for the page: a summary for the README, more figures elsewhere.
 #
 # A row counts as many digests of the current version as its last whole run had queries, less those
-# whose digests have changed since, plus those of them that it answered later (with --only).
+# whose digests have changed since, plus those that it answered later (with --only) as they are now.
 block() {
   awk -F'|' -v page="$1" -v version="$version" -v floats="$(sed -n 's/^float|//p' "$results")" '
     function list(text, item) { return text == "" ? item : text ", " item }
@@ -28,10 +28,16 @@ block() {
       if (least[group, figure] == most[group, figure]) return least[group, figure]
       return least[group, figure] " to " most[group, figure]
     }
-    # How many of these queries, answered with version `then`, had other digests in version `before`.
-    function later(names, before, then,   count, i, n, name) {
-      n = split(names, name, " ")
-      for (i = 1; i <= n; ++i) count += then == version && (before, name[i]) in changed
+    # Whether version v of a query has the current digest.
+    function is_current(v, name) { return (v, name) in digest && digest[v, name] == digest[version, name] }
+    # How many queries were answered later than with version `before`, in fields 16 and on, but count
+    # only since then.
+    function later(before,   count, i, k, n, name) {
+      for (i = 16; i < NF; i += 3) {
+        if ($(i + 1) > last) last = $(i + 1)
+        n = split($i, name, " ")
+        for (k = 1; k <= n; ++k) count += !is_current(before, name[k]) && is_current($(i + 2), name[k])
+      }
       return count + 0
     }
     FNR == NR {
@@ -44,7 +50,7 @@ block() {
     }
     FNR == 1 {
       for (v in versions) for (n in names_of)
-        if ((v, n) in digest && digest[v, n] != digest[version, n]) { ++changes[v]; changed[v, n] }
+        if ((v, n) in digest && !is_current(v, n)) ++changes[v]
     }
     $1 != "row" { next }
     {
@@ -52,11 +58,11 @@ block() {
       if (result == "equal") {
         ++equal
         big += $6 == "big"; short += $5 == 32; ours += $7 == "ours"; soft += $8 == "none"
-        answered = $13 - changes[$15] + later($16, $15, $18)
+        last = $14
+        answered = $13 - changes[$15] + later($15)
         state = answered == golden ? "current" : "earlier"
         ++rows[state]
-        note(state, "date", $14); note(state, "queries", answered)
-        if ($17) note(state, "date", $17)
+        note(state, "date", $14); note(state, "date", last); note(state, "queries", answered)
         seconds += $11
       } else if (result == "compiles") {
         ++compiled

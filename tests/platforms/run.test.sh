@@ -167,12 +167,12 @@ run 0 --no-install --record right
 recorded=$(grep -v '^#' tests/platforms/results)
 [[ $recorded =~ ^'float|as before'$'\n''row||right|'[^$'\n']*'|equal|'[^$'\n']*'|7'$'\n''row||small|as before'$ ]] ||
   complain "run --record right writes: $recorded"
-# A part adds to what was recorded; one that fails marks the row.
+# A part adds to what was recorded, and replaces what it asks again; one that fails marks the row.
 whole='row||parts|c|64|little|ours|none||equal|1.0|parts|2|2026-01-01|6'
-printf '%s\n' 'float|as before' "$whole|first|2026-01-02|6" 'row||small|as before' >tests/platforms/results
+printf '%s\n' 'float|as before' "$whole|first second|2026-01-02|6" 'row||small|as before' >tests/platforms/results
 run 0 --no-install --record --only Far parts
 recorded=$(grep parts tests/platforms/results)
-[[ $recorded =~ ^"$whole|"[a-z]+"|$(date -u +%F)|7"$ ]] || complain "run --record --only writes: $recorded"
+[[ $recorded == "$whole|first|2026-01-02|6|second|$(date -u +%F)|7" ]] || complain "run --record --only writes: $recorded"
 printf '%s\n' 'float|as before' "${whole/parts/oddpart}" >tests/platforms/results
 run 1 --no-install --record --only Far oddpart
 recorded=$(grep oddpart tests/platforms/results)
