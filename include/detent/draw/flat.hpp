@@ -3,7 +3,8 @@
 
 #include "detent/draw/circle.hpp"
 #include "detent/draw/sink.hpp"
-#include "detent/query/closest_point/plane.hpp"
+#include "detent/query/kernel/length.hpp"
+#include "detent/query/kernel/point_plane.hpp"
 #include "detent/query/raycast/aabb.hpp"
 #include "detent/shape/plane.hpp"
 #include "detent/shape/ray.hpp"
@@ -14,12 +15,21 @@ namespace detent {
 
 namespace detail {
 
+/// The point of a plane closest to another point, off the plane by at most half a step. It may be
+/// outside the range.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto foot_on(const Plane<S, N>& plane, const Vec<S, N>& point) noexcept {
+  const auto height =
+      quotient_nearest<Length<S>>(height_above(plane, point), squared_length(plane.normal));
+  return point - plane.normal * height;
+}
+
 /// Points of the drawn part of a plane, by coordinates in quarters of its reach.
 template <Scalar S>
 class PlaneSquare {
  public:
   constexpr PlaneSquare(const Plane<S, 3>& plane, const DrawRegion<S, 3>& region) noexcept
-      : middle_(closest_point(plane, region.center)),
+      : middle_(foot_on(plane, region.center)),
         u_(perpendicular(plane.normal)),
         v_(perpendicular(plane.normal, u_)),
         reach_(region.reach) {}
@@ -29,7 +39,7 @@ class PlaneSquare {
   }
 
  private:
-  Vec<S, 3> middle_;
+  decltype(foot_on(Plane<S, 3>(), Vec<S, 3>())) middle_;
   Direction<S, 3> u_, v_;
   S reach_;
 };
@@ -90,7 +100,7 @@ template <class Sink, Scalar S>
 requires DrawSink<Sink, S, 2>
 constexpr void draw(Sink& sink, const Plane<S, 2>& plane, const Colour& colour,
                     const DrawRegion<S, 2>& region = {}) {
-  const auto middle = closest_point(plane, region.center);
+  const auto middle = detail::foot_on(plane, region.center);
   const auto reach = detail::perpendicular(plane.normal) * region.reach;
   sink.line(nearest_to<S>(middle - reach), nearest_to<S>(middle + reach), colour);
 }

@@ -82,8 +82,8 @@ constexpr void draw(Sink& sink, const Contact<S, N>& contact, const Colour& colo
 /// Draws a moving shape at its start and where it touches, after `distance`, and its path, the line
 /// between the centers of its boxes there. An empty shape draws nothing.
 ///
-/// exact: the shape at the end is that at the start, each point moved by direction * distance,
-///        rounded to nearest                                      (tests/draw/hit.test.cpp)
+/// exact: the shape at the end is that at the start, each point moved by direction * distance, which
+///        is rounded to nearest first                             (tests/draw/hit.test.cpp)
 template <class Sink, class Shape, Scalar S, int N>
 requires DrawSink<Sink, S, N>
 constexpr void draw_sweep(Sink& sink, const Shape& shape, const Direction<S, N>& direction,

@@ -37,8 +37,8 @@ class Lens {
   /// over its height.
   ///
   /// domain: nothing unless `fov` is in (0, 1/2) turn, aspect > 0,
-  ///         0 < near_distance < far_distance, and both slopes, rounded, are above 0 and below 8
-  ///         (a field of view below 165.7 degrees)
+  ///         0 < near_distance < far_distance, and both slopes are at most the greatest `Slope`, just
+  ///         below 8, before they are rounded (a field of view below 165.7 degrees), and above 0 after
   /// exact:  slope(1) is tan(fov / 2) rounded to nearest, for every `fov`; slope(0) is
   ///         aspect * slope(1) rounded to nearest, ties to even       (tests/math/lens.test.cpp)
   [[nodiscard]] static constexpr std::optional<Lens> perspective(Angle<S> fov, S aspect,
