@@ -78,19 +78,50 @@ Integer lift_above(const Vector<3>& v, const Vector<3>& point, const Round& shap
   return k + shape.radius;
 }
 
-/// Whether `other` has every corner of `face` that is highest along n, and a higher one. Heights
-/// that differ by up to four raw units count as equal.
-bool rises_over(const Face<3>& face, const Face<3>& other, const Vector<3>& n, const Integer& one) {
-  const auto height_of = [&](const Face<3>& f) {
-    return std::max({dot(n, f.corners[0]), dot(n, f.corners[1]), dot(n, f.corners[2])});
-  };
-  const Integer top = height_of(face), slack = 4 * one;
-  if (height_of(other) <= top + slack) return false;
-  for (const auto& corner : face.corners) {
-    const bool is_shared = std::count(other.corners.begin(), other.corners.end(), corner) > 0;
-    if (!is_shared && dot(n, corner) >= top - slack) return false;
+/// Whether p is higher than q along every vector whose components round to those of n.
+bool is_higher(const Vector<3>& n, const Vector<3>& p, const Vector<3>& q) {
+  const auto d = difference(p, q);
+  for (const int x : {-1, 1}) {
+    for (const int y : {-1, 1}) {
+      for (const int z : {-1, 1}) {
+        if (dot(Vector<3>{2 * n[0] + x, 2 * n[1] + y, 2 * n[2] + z}, d) <= 0) return false;
+      }
+    }
   }
   return true;
+}
+
+/// The corners of a face; if it is collapsed, its two ends, perhaps more than once.
+std::vector<Vector<3>> outer_corners(const Face<3>& face) {
+  const auto& [a, b, c] = face.corners;
+  if (!is_zero(normal_of(face))) return {a, b, c};
+  const auto square = [](const Vector<3>& p, const Vector<3>& q) -> Integer {
+    return dot(difference(p, q), difference(p, q));
+  };
+  if (square(a, b) >= square(b, c) && square(a, b) >= square(c, a)) return {a, b};
+  if (square(b, c) >= square(c, a)) return {b, c};
+  return {c, a};
+}
+
+/// Whether `other` has every outer corner of `face` that is highest along n, and a higher one.
+bool rises_over(const Face<3>& face, const Face<3>& other, const Vector<3>& n) {
+  const auto corners = outer_corners(face);
+  std::vector<Vector<3>> highest;
+  for (const auto& corner : corners) {
+    if (std::none_of(corners.begin(), corners.end(),
+                     [&](const auto& c) { return is_higher(n, c, corner); })) {
+      highest.push_back(corner);
+    }
+  }
+  const auto& others = other.corners;
+  return std::all_of(highest.begin(), highest.end(),
+                     [&](const auto& corner) {
+                       return std::count(others.begin(), others.end(), corner) > 0;
+                     }) &&
+         std::any_of(others.begin(), others.end(), [&](const auto& c) {
+           return std::all_of(highest.begin(), highest.end(),
+                              [&](const auto& corner) { return is_higher(n, c, corner); });
+         });
 }
 
 class Surface {
@@ -114,6 +145,8 @@ class Surface {
         result.push_back({});
       } else if (part.is_valid) {
         result.push_back({Kind::least, part.push});
+      } else if (is_zero(part.across)) {
+        result.push_back({Kind::deferred, {}});
       } else {
         const auto own = face_push(i);
         const bool is_deferred =
@@ -156,13 +189,18 @@ class Surface {
     if (!part.push) return;
     for (std::size_t j = 0; j < parts_.size(); ++j) {
       if (is_zero(parts_[j].across)) continue;
-      if (rises_over(triangles_[i], triangles_[j], part.n, one_)) part.risers.push_back(j);
+      if (rises_over(triangles_[i], triangles_[j], part.n)) part.risers.push_back(j);
     }
-    part.is_valid = is_valid(part);
+    part.is_valid = is_zero(part.across) ? !meets_risers(part) : is_valid(part);
+  }
+
+  /// Whether the shape touches a triangle that rises here.
+  bool meets_risers(const Part& part) const {
+    return std::any_of(part.risers.begin(), part.risers.end(),
+                       [&](std::size_t j) { return parts_[j].push.has_value(); });
   }
 
   bool is_valid(const Part& part) const {
-    if (is_zero(part.across)) return true;
     const auto front = unit_of(part.across, one_);
     if (part.n == front || (!has_front_ && part.n == negated(front))) return true;
     return part.risers.empty() && !(has_front_ && dot(part.n, part.across) <= 0);

@@ -205,6 +205,32 @@ TEST_CASE("inner edges: a collapsed triangle does not rise", "[mesh][oracle]") {
   }
 }
 
+TEST_CASE("inner edges: a collapsed triangle on an inner edge gives way", "[mesh][oracle]") {
+  const auto at = [](int x, int y, int z) { return Vec<S, 3>{S(x), S(y), S(z)}; };
+  const Triangles floor{{at(0, 0, -8), at(-8, 0, 0), at(0, 0, 8)},
+                        {at(0, 0, 8), at(8, 0, 0), at(0, 0, -8)}};
+  // A segment, and three points in a row.
+  for (const auto& middle : {at(0, 0, 8), at(0, 0, 2)}) {
+    auto triangles = floor;
+    triangles.push_back({at(0, 0, -8), middle, at(0, 0, 8)});
+    const auto owned = mesh_of(triangles);
+    const auto mesh = owned.view();
+    const Sphere<S, 3> ball{{S::from_raw(1 << 14), S::from_raw(15 << 12), S(0)}, S(1)};
+    for (const auto facing : {Facing::both, Facing::front}) {
+      std::array<MeshContact<S>, 3> found;
+      REQUIRE(contacts(mesh, ball, std::span(found), facing) == 1);
+      CHECK(found[0].contact.normal == Direction<S, 3>::along(1));
+      ContactCounts counts;
+      examine_contacts(mesh, faces_of(mesh), ball, facing, counts);
+    }
+    // Alone, it pushes.
+    const auto wire = mesh_of<S>({triangles.back()});
+    std::array<MeshContact<S>, 1> found;
+    REQUIRE(contacts(wire.view(), ball, std::span(found), Facing::front) == 1);
+    CHECK(found[0].contact == contact(triangles.back(), ball));
+  }
+}
+
 TEST_CASE("inner edges: what is level with a face of two sides leaves it to the nearer one",
           "[mesh]") {
   const auto at = [](int x, int y, int z) { return Vec<S, 3>{S(x), S(y), S(z)}; };

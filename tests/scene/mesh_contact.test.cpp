@@ -114,6 +114,56 @@ TEMPLATE_TEST_CASE("mesh contacts: a tessellated plane gives only the plane's no
   }
 }
 
+TEMPLATE_TEST_CASE("mesh contacts: small cells of flat terrain give only its normal", "[mesh]",
+                   DETENT_SLOW_SCALARS) {
+  using S = TestType;
+  constexpr std::uint32_t side = 25;  // samples
+  const std::vector<S> heights(side * side, S(0));
+  for (const double cell : {0.5, 0.125}) {
+    const S corner = num<S>(-12 * cell);
+    const auto field = height_field(Vec<S, 2>{corner, corner}, num<S>(cell), side, side,
+                                    std::span<const S>(heights));
+    REQUIRE(field);
+    for (int i = 0; i < 16; ++i) {
+      const auto place = at<S, 3>(cell * i / 16, 1 - 0.0625, cell * (i * 5 % 16) / 16);
+      const auto found = contacts_of<S>(*field, Sphere<S, 3>{place, S(1)}, Facing::front);
+      REQUIRE(!found.empty());
+      for (const auto& each : found) CHECK(each.contact.normal == Direction<S, 3>::along(1));
+    }
+  }
+}
+
+/// The floor on both sides of a strip from x = 0 to `width`, with the front above.
+template <Scalar S>
+Triangles<S> floor_with_strip(const S& width) {
+  Triangles<S> triangles;
+  const auto add_strip = [&](const S& from, const S& to) {
+    const S z = S(8), low = S(-8);
+    triangles.push_back({{from, {}, low}, {from, {}, z}, {to, {}, low}});
+    triangles.push_back({{to, {}, low}, {from, {}, z}, {to, {}, z}});
+  };
+  add_strip(S(-8), S(0));
+  add_strip(S(0), width);
+  add_strip(width, S(8));
+  return triangles;
+}
+
+TEST_CASE("mesh contacts: a narrow strip in a floor gives only its normal", "[mesh]") {
+  using S = q16_16;
+  for (const int ulps : {256, 16, 8}) {
+    const auto owned = mesh_of(floor_with_strip(S::from_raw(ulps)));
+    const auto mesh = owned.view();
+    for (int i = -40; i < 40; ++i) {
+      const Sphere<S, 3> ball{at<S, 3>(i / 80.0, 0.9375, 0), S(1)};
+      for (const auto facing : {Facing::front, Facing::both}) {
+        const auto found = contacts_of<S>(mesh, ball, facing);
+        REQUIRE(!found.empty());
+        for (const auto& each : found) CHECK(each.contact.normal == Direction<S, 3>::along(1));
+      }
+    }
+  }
+}
+
 TEMPLATE_TEST_CASE("mesh contacts: over a ridge the normal turns from one side to the other",
                    "[mesh]", DETENT_SLOW_SCALARS) {
   using S = TestType;

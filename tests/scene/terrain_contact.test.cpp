@@ -2,6 +2,7 @@
 // Bodies that roll and slide over terrain: each contact of a triangle, judged by the oracle.
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 #include <vector>
 
@@ -84,12 +85,11 @@ struct Slope {
     return {corner + i * cell / 16, height(i, j) / 16, corner + j * cell / 16};
   }
   [[nodiscard]] oracle::Raw<3> up() const { return {-x, cell, -z}; }
-  /// Whether edges of cells rise along a normal by no more than the tolerance: 4 ULP to the highest
-  /// corner of a triangle, and 4 ULP from there to one of a neighbour.
+  /// Whether edges of cells rise along a normal by no more than twice its rounding.
   [[nodiscard]] bool is_level_along(const Direction<S, 3>& normal) const {
     for (const auto& edge : {oracle::Raw<3>{cell, x, 0}, {0, z, cell}}) {
       const auto rise = oracle::dot(oracle::widen(oracle::raw(normal)), oracle::widen(edge));
-      if (abs(rise) > 8 * oracle::one_of<S>()) return false;
+      if (abs(rise) > std::abs(edge[0]) + std::abs(edge[1]) + std::abs(edge[2])) return false;
     }
     return normal[1] > 0;
   }

@@ -43,7 +43,7 @@ struct Mover {
   ///         scalar ends, and one longer than a quarter of that range may end early
   /// result: it never passes through an object on its way, however thin the object and fast the
   ///         move, and ends overlapping nothing except what it overlapped at the start; a mesh or a
-  ///         terrain is one object. At most 28 casts, twice as many if it starts inside something
+  ///         terrain is one object. At most 32 casts, twice as many if it starts inside something
   ///         (tests/scene/mover.test.cpp, tests/scene/mover_property.test.cpp)
   /// source: cast and clip, Quake, PM_SlideMove; planes, b2SolvePlanes of Box2D 3.1; steps and
   ///         ground as CharacterVirtual of Jolt Physics

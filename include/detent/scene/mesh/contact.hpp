@@ -46,13 +46,15 @@ struct FacePush {
 
 /// The contacts of one shape with the triangles of a surface.
 ///
-/// Let n be the normal of `contact` of a triangle T and the shape. Another triangle U rises at T if
-/// U has all corners of T that are highest along n, up to 4 ULP, and one that is higher than these
-/// by more than 4 ULP. Collapsed triangles do not rise.
+/// Let n be the rounded normal of `contact` of a triangle T and the shape. A point is higher than
+/// another if it is so along every vector that rounds to n. Another triangle U rises at T if U has
+/// all corners of T than which no other is higher, and one that is higher than these. A collapsed
+/// triangle does not rise, and of its own corners only the two ends count.
 ///
-/// n is valid if T is collapsed, if n is the front of T or, with two sides, its back, or if nothing
-/// rises at T: the surface ends there, and the shape leaves it over an edge or a corner. With
-/// Facing::front, n must also point to the front of T. If n is valid, T has that contact.
+/// n is valid if n is the front of T or, with two sides, its back, or if nothing rises at T: the
+/// surface ends there, and the shape leaves it over an edge or a corner. With Facing::front, n must
+/// also point to the front of T. If n is valid, T has that contact. A collapsed T has it, too, unless
+/// the shape touches a triangle that rises at T.
 ///
 /// Otherwise the shape leaves T along T's own normal, out of its plane: to the front or, with two
 /// sides, to the nearer one, to the front if both are equally near. T defers, and has no contact,
@@ -87,9 +89,15 @@ class SurfaceContacts {
   [[nodiscard]] constexpr std::optional<Contact<S, 3>> contact_with(
       const MeshTriangle<S>& part, const Contact<S, 3>& free) const noexcept {
     const auto& triangle = part.triangle;
-    if (is_zero(normal_of(triangle)) || is_right(part, free.normal)) return free;
-    const auto face = face_push(triangle);
     bool gives_way = false;
+    if (is_zero(normal_of(triangle))) {
+      visit_risers(part, free.normal, [&](const MeshTriangle<S>& other) {
+        gives_way = gives_way || overlaps(other.triangle, shape_);
+      });
+      return gives_way ? std::nullopt : std::optional(free);
+    }
+    if (is_right(part, free.normal)) return free;
+    const auto face = face_push(triangle);
     visit_risers(part, free.normal, [&](const MeshTriangle<S>& other) {
       if (gives_way) return;
       const auto others = contact(other.triangle, shape_);
@@ -122,9 +130,10 @@ class SurfaceContacts {
   template <class Visit>
   constexpr void visit_risers(const MeshTriangle<S>& part, const Direction<S, 3>& normal,
                               const Visit& visit) const noexcept {
+    const auto top = highest_corners(part.triangle, normal);
     visit_near(bounding_box(part.triangle), [&](const MeshTriangle<S>& other) {
       if (other == part || is_zero(normal_of(other.triangle))) return;
-      if (rises_at(part.triangle, normal, other.triangle)) visit(other);
+      if (rises_at(top, normal, other.triangle)) visit(other);
     });
   }
 
@@ -132,31 +141,56 @@ class SurfaceContacts {
     return cross(triangle.b - triangle.a, triangle.c - triangle.a);
   }
 
-  /// Whether `other` has all corners of `triangle` that are highest along `normal`, and one that is
-  /// higher by more than the rounding of the normal.
-  [[nodiscard]] static constexpr bool rises_at(const Triangle<S, 3>& triangle,
-                                               const Direction<S, 3>& normal,
-                                               const Triangle<S, 3>& other) noexcept {
-    const std::array corners{triangle.a, triangle.b, triangle.c};
-    const std::array others{other.a, other.b, other.c};
-    const auto height = [&](const Vec<S, 3>& p) { return dot(normal, p - triangle.a); };
-    auto highest = height(triangle.a);
-    for (const auto& corner : corners) highest = (std::max)(highest, height(corner));
-    for (const auto& corner : corners) {
-      if (highest - height(corner) > slack()) continue;
-      if (std::find(others.begin(), others.end(), corner) == others.end()) return false;
-    }
-    for (const auto& corner : others) {
-      if (height(corner) - highest > slack()) return true;
-    }
-    return false;
+  /// Whether p is higher than q along every vector that rounds to `normal`.
+  [[nodiscard]] static constexpr bool is_higher(const Direction<S, 3>& normal, const Vec<S, 3>& p,
+                                                const Vec<S, 3>& q) noexcept {
+    const auto d = p - q;
+    return dot(normal, d) > (abs(d.x) + abs(d.y) + abs(d.z)) * rounding_of_normal();
   }
-  [[nodiscard]] static constexpr S slack() noexcept {
+  /// Of each of its components.
+  [[nodiscard]] static constexpr auto rounding_of_normal() noexcept {
     if constexpr (is_fixed<S>) {
-      return S::from_raw(4);
+      return Fixed<1, direction_component<S>::frac + 1>::from_raw(1);
     } else {
       return S(1) / 4096;
     }
+  }
+
+  struct HighestCorners {
+    std::array<Vec<S, 3>, 3> corners{};
+    std::size_t count = 0;
+  };
+  /// The corners of a triangle than which no other is higher along `normal`, without one between two
+  /// others.
+  [[nodiscard]] static constexpr HighestCorners highest_corners(
+      const Triangle<S, 3>& triangle, const Direction<S, 3>& normal) noexcept {
+    const std::array corners{triangle.a, triangle.b, triangle.c};
+    const bool is_collapsed = is_zero(normal_of(triangle));
+    HighestCorners top;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& corner = corners[i];
+      const auto& next = corners[(i + 1) % 3];
+      const auto& last = corners[(i + 2) % 3];
+      if (is_higher(normal, next, corner) || is_higher(normal, last, corner)) continue;
+      if (is_collapsed && dot(next - corner, last - corner) < 0) continue;
+      top.corners[top.count++] = corner;
+    }
+    return top;
+  }
+  /// Whether a triangle has all these corners, and one that is higher along `normal`.
+  [[nodiscard]] static constexpr bool rises_at(const HighestCorners& top,
+                                               const Direction<S, 3>& normal,
+                                               const Triangle<S, 3>& other) noexcept {
+    const std::array others{other.a, other.b, other.c};
+    const std::span highest(top.corners.data(), top.count);
+    return std::all_of(highest.begin(), highest.end(),
+                       [&](const auto& corner) {
+                         return std::find(others.begin(), others.end(), corner) != others.end();
+                       }) &&
+           std::any_of(others.begin(), others.end(), [&](const auto& p) {
+             return std::all_of(highest.begin(), highest.end(),
+                                [&](const auto& corner) { return is_higher(normal, p, corner); });
+           });
   }
 
   /// The translation that pushes the shape out of the plane of a triangle: to the front or, if it
@@ -243,9 +277,11 @@ constexpr void insert_contact(std::span<MeshContact<S>> out, std::size_t count,
 /// it is pushed out in front. Height fields always have this facing, with the front above. A shape
 /// that touches no triangle has no contact, on either side.
 ///
-/// exact:  each contact as for `contact` of the triangle and the shape; which triangles have one is
-///         decided exactly for the rounded normals and a tolerance of 4 ULP, within which a normal
-///         at an inner edge may differ from the triangle's   (tests/scene/inner_edges.test.cpp)
+/// domain: triangles with different indices; of equal ones, results depend on their order
+/// exact:  each contact as for `contact` of the triangle and the shape, or along the triangle's normal,
+///         with points in its plane that may be beyond its edges; which triangles have one is decided
+///         exactly for the rounded normals, so one at an inner edge may differ from the triangle's by
+///         its rounding                                      (tests/scene/inner_edges.test.cpp)
 template <template <class> class Surface, Scalar S, MeetsTriangles<S> Shape>
 requires is_surface<Surface>
 constexpr std::size_t contacts(const Surface<S>& surface, const Shape& shape,

@@ -47,6 +47,13 @@ class MoverRun {
     carry(ground);
     steps_.prepare();
     if (!steps_.has_room()) push();
+    if (result_.carried != Motion{} && steps_.overlaps_more()) {
+      steps_.go_back(character.shape);
+      result_.carried = result_.pushed = {};
+      result_.is_stuck = false;
+      steps_.prepare();
+      if (!steps_.has_room()) push();
+    }
     const S rise = nearest_to<S>(dot(by, up_));
     const bool leaves =
         rise > 0 && dot(by, ground.normal) > quotient_floor<S>(skin_, as_operand<S>(8));
@@ -106,7 +113,8 @@ class MoverRun {
     }
   }
 
-  /// Moves with the frame of the ground: the point under the character moves rigidly.
+  /// Moves with the frame of the ground: the point under the character moves rigidly. A frame that
+  /// tilts may then overlap it a little.
   constexpr void carry(const Ground<S, N>& ground) {
     if (!ground.is_grounded || ground.frame == FrameId{}) return;
     const auto frame = world_.frame(ground.frame);
@@ -116,7 +124,6 @@ class MoverRun {
     steps_.prepare(ground.frame);
     const Shape before = steps_.shape();
     slide(steps_, by, false, true);
-    if (steps_.overlaps_more()) steps_.go_back(before);
     result_.carried = since(before, steps_.shape());
   }
 
@@ -191,17 +198,25 @@ class MoverRun {
     }
   }
 
-  /// Moves up, along and down again; returns whether that leads onto ground.
+  /// Moves up, along and down again, at least two skins along: it stopped a skin before the step.
+  /// Returns whether that leads onto ground or, if `along` is long enough, over what was in the way.
   constexpr bool climb(Steps& steps, const Motion& along) {
     const Shape start = steps.shape();
     steps.go(steps.look(upward(step_height_)).by);
     const S risen = nearest_to<S>(dot(since(start, steps.shape()), up_));
     if (risen <= 0) return false;
-    slide(steps, along, false, false);
+    const S least = nearest_to<S>(skin_ + skin_);
+    const bool is_short = squared_length(along) < square(least);
+    const auto direction = direction_of<S>(along);
+    slide(steps, is_short && direction ? nearest_to<S>(*direction * least) : along, false, false);
     const auto down = steps.look(upward(nearest_to<S>(-risen)));
-    if (!down.hit || !ground_normal(*down.hit)) return false;
-    const auto height = dot(down.hit->point, up_) - lowest_along(start, up_);
-    if (height > step_height_ + skin_) return false;
+    if (down.hit) {
+      if (!ground_normal(*down.hit)) return false;
+      const auto height = dot(down.hit->point, up_) - lowest_along(start, up_);
+      if (height > step_height_ + skin_) return false;
+    } else if (is_short || !down.is_whole) {
+      return false;
+    }
     steps.go(down.by);
     return true;
   }
@@ -237,12 +252,20 @@ class MoverRun {
     ground_.object = step.hit->id;
     ground_.normal = *normal;
     ground_.frame = world_.frame_of(step.hit->id).value_or(FrameId{});
-    ground_.point = step.hit->point;
+    ground_.point = below_middle(step.hit->point);
     if (const auto frame = world_.frame(ground_.frame)) {
-      ground_.local = inverse_transform_point(frame->world, step.hit->point);
+      ground_.local = inverse_transform_point(frame->world, ground_.point);
       ground_.point = transform_point(frame->world, ground_.local);
     }
     return true;
+  }
+
+  /// The point at the height of `point` below the middle of the character, with which it turns.
+  constexpr Motion below_middle(const Motion& point) const noexcept {
+    const auto middle = make_vec<N>([&](int i) {
+      return nearest_to<S>(half(least_on(steps_.shape(), i) + greatest_on(steps_.shape(), i)));
+    });
+    return nearest_to<S>(point + across(nearest_to<S>(middle - point)));
   }
 
   const World& world_;

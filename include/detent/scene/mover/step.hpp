@@ -19,14 +19,14 @@ template <Scalar S, int N, class World, class Shape, class Filter>
 struct Met {
   const World& world;
   const Filter& filter;
-  FrameId carrier{};           // objects that move with this frame are skipped
+  FrameId carrier{};           // objects in this frame, and in frames below it, are skipped
   const Shape* outside{};      // objects that this shape overlaps are skipped
   const Shape* inside{};       // only objects that this shape overlaps are tested
   const Aabb<S, N>* around{};  // a box around the path
 
   [[nodiscard]] constexpr bool operator()(const ObjectInfo& object) const {
     if (!filter(object)) return false;
-    if (carrier != FrameId{} && world.frame_of(object.id) == carrier) return false;
+    if (carrier != FrameId{} && moves_with_carrier(object.id)) return false;
     if (outside == nullptr && inside == nullptr && around == nullptr) return true;
     bool is_met = true;
     world.visit(object.id, [&]<class Target>(const Target& target) {
@@ -37,6 +37,16 @@ struct Met {
       if (outside != nullptr) is_met = is_met && !separately<job::Overlaps>(*outside, target);
     });
     return is_met;
+  }
+
+  [[nodiscard]] constexpr bool moves_with_carrier(const ObjectId& object) const {
+    auto frame = world.frame_of(object);
+    while (frame && *frame != carrier) {
+      const auto found = world.frame(*frame);
+      if (!found) return false;
+      frame = found->parent;
+    }
+    return frame.has_value();
   }
 };
 
@@ -78,7 +88,7 @@ class Stepper {
     return {*world_, *filter_, carrier_, is_deep_ ? &core_ : nullptr};
   }
 
-  /// Ignores objects that move with this frame, until the next `prepare`.
+  /// Ignores objects in this frame, and in frames below it, until the next `prepare`.
   constexpr void prepare(const FrameId& carrier = {}) {
     carrier_ = carrier;
     is_held_ = is_deep_ = false;
