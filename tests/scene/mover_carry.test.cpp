@@ -68,6 +68,30 @@ TEST_CASE("mover: a wall in a frame below that of the platform moves with the ri
   }
 }
 
+TEST_CASE("mover: a room that is turned over keeps who is in it") {
+  for (const int degrees : {10, 90, 120, 180}) {
+    CAPTURE(degrees);
+    Platforms world;
+    const auto room = world.add_frame({}).value_or(no_frame);
+    const Vec2 flat{3.2_q16_16, 0.1_q16_16}, upright{0.1_q16_16, 3.2_q16_16};
+    for (const int side : {-3, 3}) {
+      world.add(Obb<S, 2>{Vec2{{}, S(side)}, flat, {}}, {.frame = room});
+      world.add(Obb<S, 2>{Vec2{S(side), {}}, upright, {}}, {.frame = room});
+    }
+    Mover<S, 2, Aabb> rider{{Vec2{0.2_q16_16, -2.88_q16_16}, Vec2{1_q16_16, -1.4_q16_16}}};
+    const Vec2 down{{}, -0.05_q16_16};
+    rider.move(world, down);
+    for (int i = 1; i <= 100; ++i) {
+      const auto turn = Angle<S>::turn(i * degrees % 360, 360);
+      world.move_frame(room, {.rotation = Rotation<S, 2>::from_angle(turn)});
+      const auto result = rider.move(world, down);
+      CHECK((result.is_stuck || !world.any(rider.shape)));
+      const auto middle = half(rider.shape.min + rider.shape.max);
+      CHECK(squared_length(middle) < S(18));  // in the room
+    }
+  }
+}
+
 TEST_CASE("mover: a box turns about its middle") {
   for (const int distance : {0, 3}) {
     CAPTURE(distance);

@@ -277,13 +277,13 @@ constexpr void insert_contact(std::span<MeshContact<S>> out, std::size_t count,
 /// it is pushed out in front. Height fields always have this facing, with the front above. A shape
 /// that touches no triangle has no contact, on either side.
 ///
-/// domain: triangles with different indices; of equal ones, results depend on their order
 /// exact:  each contact as for `contact` of the triangle and the shape, or along the triangle's normal,
 ///         with points in its plane that may be beyond its edges; which triangles have one is decided
-///         exactly for the rounded normals, so one at an inner edge may differ from the triangle's by
-///         its rounding                                      (tests/scene/inner_edges.test.cpp)
+///         exactly for the rounded normals, so one at an inner edge may lean from the triangle's by
+///         their rounding times length over width of the triangle
+///                                                           (tests/scene/inner_edges.test.cpp)
 template <template <class> class Surface, Scalar S, MeetsTriangles<S> Shape>
-requires is_surface<Surface>
+requires is_surface<Surface> && detail::HaveContact<Triangle<S, 3>, Shape>
 constexpr std::size_t contacts(const Surface<S>& surface, const Shape& shape,
                                std::span<std::type_identity_t<MeshContact<S>>> out,
                                Facing facing) noexcept {
@@ -294,7 +294,7 @@ constexpr std::size_t contacts(const Surface<S>& surface, const Shape& shape,
   return count;
 }
 template <template <class> class Surface, Scalar S, MeetsTriangles<S> Shape>
-requires is_surface<Surface>
+requires is_surface<Surface> && detail::HaveContact<Triangle<S, 3>, Shape>
 constexpr std::size_t contacts(const Surface<S>& surface, const Shape& shape,
                                std::span<std::type_identity_t<MeshContact<S>>> out) noexcept {
   return contacts(surface, shape, out, detail::usual_facing<Surface<S>>);

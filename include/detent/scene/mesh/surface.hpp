@@ -11,8 +11,8 @@
 
 namespace detent {
 
-/// A triangle of a mesh, with an index chosen by its owner. Results name this index and are ordered
-/// by it.
+/// A triangle of a mesh, with an index chosen by its owner, unlike those of the others. Results name
+/// this index and are ordered by it.
 template <Scalar S>
 struct MeshTriangle {
   Triangle<S, 3> triangle;

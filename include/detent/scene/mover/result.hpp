@@ -21,7 +21,7 @@ struct MoverSettings {
   /// The highest step that it climbs, by up to a skin more; 0 for none. A round foot of radius r also
   /// rolls over edges up to r (1 - cos max_slope) high.
   S step_height = quotient_nearest<S>(S(1), detail::as_operand<S>(3));
-  /// How far down it follows the ground, along slopes and steps; 0 for not at all.
+  /// How far down it follows the ground, along slopes and steps; at least two skins.
   S snap_distance = quotient_nearest<S>(S(1), detail::as_operand<S>(3));
   /// The steepest slope that it stands on and walks up.
   Angle<S> max_slope = Angle<S>::turn(50, 360);

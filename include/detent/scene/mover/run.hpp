@@ -46,12 +46,16 @@ class MoverRun {
     const Ground<S, N> ground = character.ground;
     carry(ground);
     steps_.prepare();
-    if (!steps_.has_room()) push();
-    if (result_.carried != Motion{} && steps_.overlaps_more()) {
+    const auto undo_carrying = [&] {
       steps_.go_back(character.shape);
       result_.carried = result_.pushed = {};
       result_.is_stuck = false;
       steps_.prepare();
+    };
+    if (result_.carried != Motion{} && steps_.overlaps_more() && is_cut()) undo_carrying();
+    if (!steps_.has_room()) push();
+    if (result_.carried != Motion{} && steps_.overlaps_more()) {
+      undo_carrying();
       if (!steps_.has_room()) push();
     }
     const S rise = nearest_to<S>(dot(by, up_));
@@ -125,6 +129,14 @@ class MoverRun {
     const Shape before = steps_.shape();
     slide(steps_, by, false, true);
     result_.carried = since(before, steps_.shape());
+  }
+
+  /// Whether something is between the middle of the character and its feet: its carrier, if that
+  /// turned upside down.
+  constexpr bool is_cut() const {
+    const auto center = middle();
+    const S height = floor_to<S>(dot(center, up_) - lowest_along(steps_.shape(), up_));
+    return world_.nearest_hit(Ray<S, N>{center, -up_, height}, steps_.new_ones()).has_value();
   }
 
   constexpr void push() {
@@ -260,12 +272,14 @@ class MoverRun {
     return true;
   }
 
-  /// The point at the height of `point` below the middle of the character, with which it turns.
-  constexpr Motion below_middle(const Motion& point) const noexcept {
-    const auto middle = make_vec<N>([&](int i) {
+  constexpr Motion middle() const noexcept {
+    return make_vec<N>([&](int i) {
       return nearest_to<S>(half(least_on(steps_.shape(), i) + greatest_on(steps_.shape(), i)));
     });
-    return nearest_to<S>(point + across(nearest_to<S>(middle - point)));
+  }
+  /// The point at the height of `point` below the middle of the character, with which it turns.
+  constexpr Motion below_middle(const Motion& point) const noexcept {
+    return nearest_to<S>(point + across(nearest_to<S>(middle() - point)));
   }
 
   const World& world_;

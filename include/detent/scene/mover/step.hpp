@@ -130,10 +130,12 @@ class Stepper {
   }
   constexpr void go_back(const Shape& shape) noexcept { shape_ = shape; }
 
-  /// Whether the shape overlaps an object that it did not overlap at first.
-  [[nodiscard]] constexpr bool overlaps_more() const {
-    return world_->any(shape_, Passes{*world_, *filter_, FrameId{}, &start_});
+  /// The objects that the shape did not overlap at first.
+  [[nodiscard]] constexpr Passes new_ones() const noexcept {
+    return {*world_, *filter_, FrameId{}, &start_};
   }
+  /// Whether the shape overlaps one of these.
+  [[nodiscard]] constexpr bool overlaps_more() const { return world_->any(shape_, new_ones()); }
 
   constexpr void go(const Vec<S, N>& by) noexcept { shape_ = translated(shape_, by); }
 
