@@ -92,7 +92,7 @@ class SurfaceContacts {
     bool gives_way = false;
     if (is_zero(normal_of(triangle))) {
       visit_risers(part, free.normal, [&](const MeshTriangle<S>& other) {
-        gives_way = gives_way || overlaps(other.triangle, shape_);
+        gives_way = gives_way || contact(other.triangle, shape_).has_value();
       });
       return gives_way ? std::nullopt : std::optional(free);
     }
