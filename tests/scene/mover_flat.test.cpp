@@ -9,10 +9,19 @@
 using namespace detent;
 using test::Level;
 
+namespace {
+
+/// A point, in hundredths of a unit.
+template <Scalar S>
+Vec<S, 2> flat_at(int x, int y) {
+  return {Level<S>::number(x), Level<S>::number(y)};
+}
+
+}  // namespace
+
 TEMPLATE_TEST_CASE("mover: walks, climbs and slides in 2D", "", q24_8, q8_8) {
   using S = TestType;
-  using V = Vec<S, 2>;
-  const auto at = [](int x, int y) { return V{Level<S>::number(x), Level<S>::number(y)}; };
+  const auto at = flat_at<S>;
   BoundedScene<Bounded<8>, S, 2, Aabb> world;
   world.add(Aabb<S, 2>{at(-2000, -100), at(2000, 0)});
   world.add(Aabb<S, 2>{at(300, 0), at(500, 30)});
@@ -38,8 +47,7 @@ TEMPLATE_TEST_CASE("mover: walks, climbs and slides in 2D", "", q24_8, q8_8) {
 
 TEST_CASE("mover: climbs steps at every speed in 2D") {
   using S = q16_16;
-  using V = Vec<S, 2>;
-  const auto at = [](int x, int y) { return V{Level<S>::number(x), Level<S>::number(y)}; };
+  const auto at = flat_at<S>;
   BoundedScene<Bounded<4>, S, 2, Aabb> world;
   world.add(Aabb<S, 2>{at(-900, -100), at(9900, 0)});
   world.add(Aabb<S, 2>{at(100, 0), at(9900, 30)});
@@ -49,8 +57,8 @@ TEST_CASE("mover: climbs steps at every speed in 2D") {
     Mover<S, 2, Aabb> box{{at(35, 2), at(75, 180)}};
     Mover<S, 2, Sphere> ball{{at(50, 42), Level<S>::number(40)}};
     for (int i = 0; i < 1000; ++i) {
-      box.move(world, V{speed, Level<S>::number(-1)});
-      ball.move(world, V{speed, Level<S>::number(-1)});
+      box.move(world, Vec{speed, Level<S>::number(-1)});
+      ball.move(world, Vec{speed, Level<S>::number(-1)});
     }
     CHECK(double(box.shape.min.y) > 0.3);
     CHECK(double(ball.shape.center.y) > 0.7);
@@ -63,8 +71,7 @@ TEST_CASE("mover: climbs steps at every speed in 2D") {
 
 TEST_CASE("mover: no kerb stops a fast character in 2D") {
   using S = q16_16;
-  using V = Vec<S, 2>;
-  const auto at = [](int x, int y) { return V{Level<S>::number(x), Level<S>::number(y)}; };
+  const auto at = flat_at<S>;
   // The ground behind the kerb is level, higher, lower, or an abyss.
   for (const int behind : {0, 5, -5, -20, -2000}) {
     BoundedScene<Bounded<4>, S, 2, Aabb> world;
@@ -75,7 +82,7 @@ TEST_CASE("mover: no kerb stops a fast character in 2D") {
       CAPTURE(behind, speed);
       Mover<S, 2, Sphere> ball{{at(0, 27), Level<S>::number(25)}};
       for (int i = 0; i < 100; ++i) {
-        ball.move(world, V{Level<S>::number(speed), Level<S>::number(-10)});
+        ball.move(world, at(speed, -10));
         CHECK_FALSE(world.any(ball.shape));
       }
       CHECK(double(ball.shape.center.x) > speed - 1);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "detent/shape/bounding_box.hpp"
+#include "detent/shape/bounding_sphere.hpp"
 #include "detent/shape/moved.hpp"
 
 // The shapes that characters have: capsules, spheres and axis-aligned boxes.
@@ -33,6 +34,12 @@ template <Scalar S, int N>
   auto least = box.max.x - box.min.x;
   for (int i = 1; i < N; ++i) least = (std::min)(least, box.max[i] - box.min[i]);
   return floor_to<S>(half(least));
+}
+
+/// The middle of the box around a round shape, as of an `Aabb`.
+template <Round Shape>
+[[nodiscard]] constexpr auto middle(const Shape& shape) noexcept {
+  return middle(core_box(ShapeFields<Shape>::core(shape)));
 }
 
 /// The least and the greatest coordinate on axis `i`, exactly.

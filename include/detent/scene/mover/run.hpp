@@ -134,7 +134,7 @@ class MoverRun {
   /// Whether something is between the middle of the character and its feet: its carrier, if that
   /// turned upside down.
   constexpr bool is_cut() const {
-    const auto center = middle();
+    const auto center = middle(steps_.shape());
     const S height = floor_to<S>(dot(center, up_) - lowest_along(steps_.shape(), up_));
     return world_.nearest_hit(Ray<S, N>{center, -up_, height}, steps_.new_ones()).has_value();
   }
@@ -272,14 +272,9 @@ class MoverRun {
     return true;
   }
 
-  constexpr Motion middle() const noexcept {
-    return make_vec<N>([&](int i) {
-      return nearest_to<S>(half(least_on(steps_.shape(), i) + greatest_on(steps_.shape(), i)));
-    });
-  }
   /// The point at the height of `point` below the middle of the character, with which it turns.
   constexpr Motion below_middle(const Motion& point) const noexcept {
-    return nearest_to<S>(point + across(nearest_to<S>(middle() - point)));
+    return nearest_to<S>(point + across(nearest_to<S>(middle(steps_.shape()) - point)));
   }
 
   const World& world_;
