@@ -12,6 +12,6 @@ namespace detent {
 
 /// Changes whenever the result of any query changes in any bit for any input. Then, and only then,
 /// recorded matches and golden digests of an older library no longer hold.
-inline constexpr int results_version = 14;
+inline constexpr int results_version = 15;
 
 }  // namespace detent

@@ -3,6 +3,7 @@
 // Movers in 2D.
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/mover_level.hpp"
 
@@ -86,6 +87,56 @@ TEST_CASE("mover: no kerb stops a fast character in 2D") {
         CHECK_FALSE(world.any(ball.shape));
       }
       CHECK(double(ball.shape.center.x) > speed - 1);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("mover: walks onto and up every slope at every speed in 2D", "", q16_16, q24_8) {
+  using S = TestType;
+  const auto at = flat_at<S>;
+  const auto raw = [](int skins) { return S::from_raw(skins << (S::frac - 8)); };  // 32 are a skin in q24_8
+  for (const int degrees : {10, 20, 30, 40, 45, 48, 49}) {
+    const auto along = Rotation<S, 2>::from_angle(Angle<S>::turn(degrees, 360)).axis(0);
+    const auto up = nearest_to<S>(S(30) * quotient_nearest<S>(along[1], along[0]));
+    BoundedScene<Bounded<4>, S, 2, Aabb, Triangle> foot, ramp;
+    foot.add(Aabb<S, 2>{at(-9000, -100), at(0, 0)});
+    foot.add(Triangle<S, 2>{at(0, 0), at(3000, 0), {S(30), up}});
+    ramp.add(Triangle<S, 2>{{S(-30), nearest_to<S>(-up)}, {S(30), nearest_to<S>(-up)}, {S(30), up}});
+    for (const int skins : {1, 2, 3, 4, 5, 7, 10, 13, 20}) {
+      CAPTURE(degrees, skins);
+      const S speed = raw(skins);
+      for (const auto* const world : {&foot, &ramp}) {
+        Mover<S, 2, Sphere> ball{{at(-60, world == &foot ? 60 : 70), Level<S>::number(40)}};
+        for (int i = 0; i < 20; ++i) ball.move(*world, at(0, -10));
+        const double start = double(ball.shape.center.x);
+        const int moves = static_cast<int>(1.6 / double(speed));
+        for (int i = 0; i < moves; ++i) {
+          ball.move(*world, Vec{speed, Level<S>::number(-5)});
+          CHECK(ball.ground.is_grounded);
+        }
+        const double cosine = double(along[0]);
+        CHECK(double(ball.shape.center.x) - start > 1.6 * cosine * cosine - 0.1);
+        CHECK(double(ball.shape.center.x) - start < 1.61);
+      }
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("mover: clips long velocities at the planes as stored", "", q16_16, q8_8) {
+  using S = TestType;
+  for (int degrees = 1; degrees < 90; ++degrees) {
+    const auto turn = Rotation<S, 2>::from_angle(Angle<S>::turn(degrees, 360));
+    MoveResult<S, 2> slope;
+    slope.count = 1;
+    slope.touched[0].normal = turn.axis(1);
+    for (const int speed : {1, 20, S::bits > 16 ? 20000 : 100}) {
+      CAPTURE(degrees, speed);
+      const auto left = clip_velocity(Vec<S, 2>{S(speed), S(0)}, slope);
+      const double x = double(turn.axis(1)[0]), y = double(turn.axis(1)[1]);
+      const double ulp = std::ldexp(1.0, -S::frac);
+      const double off = x * speed / (x * x + y * y);
+      CHECK(double(left.x) == Approx(speed - off * x).margin(ulp));
+      CHECK(double(left.y) == Approx(-off * y).margin(ulp));
     }
   }
 }

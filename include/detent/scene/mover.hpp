@@ -84,6 +84,7 @@ template <Scalar S, int N>
                                                 const MoveResult<S, N>& result) noexcept {
   detail::HalfSpaces<S, N> spaces;
   for (std::size_t i = 0; i < result.count; ++i) spaces.add(result.touched[i].normal, S(0));
+  // Of rounding a point on a plane.
   const S slack = is_fixed<S> ? next_up(S(0))
                               : quotient_nearest<S>(length(velocity), detail::as_operand<S>(1024));
   return spaces.closest(velocity, slack).value_or(Vec<S, N>{});

@@ -117,9 +117,8 @@ class SurfaceContacts {
     const auto across = normal_of(part.triangle);
     const auto front = unit_of<S>(across);
     if (normal == front) return true;
-    if (facing_ == Facing::front ? dot(normal, across) <= 0 : normal == -front) {
-      return facing_ == Facing::both;
-    }
+    if (facing_ == Facing::both && normal == -front) return true;
+    if (facing_ == Facing::front && dot(normal, across) <= 0) return false;
     bool rises = false;
     visit_risers(part, normal, [&](const MeshTriangle<S>&) { rises = true; });
     return !rises;

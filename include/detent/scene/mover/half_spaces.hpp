@@ -19,12 +19,16 @@ struct HalfSpace {
   S offset{};
 };
 
-/// The point closest to `to` on the boundary of a half-space. The normal counts as a unit vector.
+/// The point closest to `to` on the boundary of a half-space: the exact one for the normal as
+/// stored, rounded to nearest. If the normal counted as a unit vector, the point would be off by
+/// units where `to` is long.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_on(const Vec<S, N>& to,
                                              const HalfSpace<S, N>& a) noexcept {
   const auto by = a.offset - dot(to, a.normal);
-  return make_vec<N>([&](int i) { return nearest_to<S>(to[i] + by * a.normal[i]); });
+  const auto squared = squared_length(a.normal.vec());
+  return make_vec<N>(
+      [&](int i) { return quotient_nearest<S>(to[i] * squared + by * a.normal[i], squared); });
 }
 
 /// The point on the boundaries of two half-spaces, or nothing if they are parallel.
@@ -139,7 +143,7 @@ class HalfSpaces {
   ///         creases, Quake, PM_SlideMove (pmove.c)
   [[nodiscard]] constexpr std::optional<Vec<S, N>> closest(const Vec<S, N>& to,
                                                            const S& slack) const noexcept {
-    const S least = (std::max)(quotient_floor<S>(slack, as_operand<S>(1024)), least_slack());
+    const S least = (std::max)(quotient_floor<S>(slack, as_operand<S>(1024)), next_up(S(0)));
     if (contain(to, least)) return to;
     Best best{*this, to, slack, std::nullopt};
     for (std::size_t i = 0; i < count_; ++i) {
@@ -173,7 +177,6 @@ class HalfSpaces {
     }
   };
 
-  static constexpr S least_slack() noexcept { return is_fixed<S> ? next_up(S(0)) : S(0); }
   static constexpr bool is_before(const HalfSpace<S, N>& a, const HalfSpace<S, N>& b) noexcept {
     if (a.offset != b.offset) return a.offset > b.offset;
     for (int i = 0; i < N; ++i) {

@@ -148,11 +148,12 @@ class MoverRun {
   }
 
   /// Moves by `by`, sliding along obstacles. A character that `lands` loses its downward motion on
-  /// ground; one that does not climb treats steep slopes as walls. Returns whether a wall or a
-  /// steep slope was in its way.
+  /// ground; one that does not climb treats steep slopes as walls; one that does neither walks.
+  /// Returns whether a wall or a steep slope was in its way.
   ///
   /// Each step heads for the same end, as far as the planes met so far allow. So the character
-  /// never turns back, and it follows the crease of two planes.
+  /// never turns back, and it follows the crease of two planes. Where a character walks onto ground
+  /// this end rises, see `lift`.
   constexpr bool slide(Steps& steps, const Motion& by, bool lands, bool climbs) {
     HalfSpaces<S, N> spaces;
     Motion left = by;
@@ -174,6 +175,7 @@ class MoverRun {
       spaces.add(normal, step.offset);
       if (slope >= least_cosine_) {
         if (lands && dot(left, up_) < 0) left = across(left);
+        if (!lands && !climbs) left = nearest_to<S>(left + up_ * lift(step, slope));
       } else {
         meets_wall = meets_wall || -slope < least_cosine_;
         if (!climbs && slope > 0) {
@@ -184,6 +186,18 @@ class MoverRun {
       }
     }
     return meets_wall;
+  }
+
+  /// How far a character that walks must rise to be a skin away from the ground that ended a step.
+  /// The half-space of this ground would push it back along the slope, so that a slow one would never
+  /// get onto it: it comes down again on the ground before the slope, less than a skin from it. It
+  /// rises a unit at least where the ground allowed no step: a motion that leads into the ground by
+  /// less than a unit counts as one along it.
+  template <class Cosine>
+  constexpr S lift(const Step<S, N>& step, const Cosine& slope) const noexcept {
+    const S least = step.by == Motion{} ? next_up(S(0)) : S(0);
+    const S rounded_up = nearest_to<S>(-quotient_floor<S>(-step.offset, slope));
+    return (std::max)(rounded_up, least);
   }
 
   /// A step of a character on the ground: along it, over steps, and back down to it.

@@ -216,7 +216,7 @@ class Stepper {
   /// An end is less than 2 ULP from a point of the path. A shape that is 2 ULP thick does not pass
   /// a plane in between without overlapping it at one of them; a thinner one is grown.
   constexpr void shorten(Step<S, N>& step) const {
-    const S ulp = is_fixed<S> ? next_up(S(0)) : S(0);
+    const S ulp = next_up(S(0));
     const S margin = thickness(shape_) < ulp ? nearest_to<S>(ulp + ulp) : S(0);
     for (int i = 0; i < 8; ++i) {
       if (!world_->any(grown(translated(shape_, step.by), margin), others())) return;
