@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <filesystem>
+#include <system_error>
 
 #include "obj_reader.hpp"
 
@@ -154,6 +155,9 @@ MeshModel JsonFields::model_file(const JsonNode& node, const std::string& owner)
     if (!scale || *scale <= 0) fail(*text, "scale must be more than 0; 1 keeps the model's size");
   }
   const auto path = std::filesystem::path(file_).parent_path() / file.text;
+  if (std::error_code error; !std::filesystem::exists(path, error)) {
+    fail(file, "there is no file " + in_quotes(file.text) + " in the folder of this one");
+  }
   return read_obj(path.string(), scale);
 }
 

@@ -36,6 +36,9 @@ std::string checked_scalar(const std::string& flag, const std::string& name) {
 /// Parses "A,B", or "B" as the second scalar next to that of --scalar.
 Pair parse_pair(const std::string& text, const std::string& scalar) {
   const auto comma = text.find(',');
+  if (std::count(text.begin(), text.end(), ',') > 1) {
+    throw InputError("--compare: \"" + text + "\" has more than two scalars; write A,B");
+  }
   if (comma == std::string::npos) return {scalar, checked_scalar("--compare", text)};
   return {checked_scalar("--compare", text.substr(0, comma)),
           checked_scalar("--compare", text.substr(comma + 1))};
@@ -250,7 +253,8 @@ void add_simulate(CLI::App& app, Arguments& arguments) {
   command->add_option("--every", options.every, "Ticks between digests")
       ->capture_default_str()
       ->check(CLI::Range(1, 100'000'000));
-  command->add_flag("--bodies", options.has_bodies, "Print the final poses of the bodies");
+  command->add_flag("--bodies", options.has_bodies,
+                    "Print where the bodies end, and their velocities");
   command->add_option("--resume", options.resume, "Start from this snapshot")->check(check_name);
   command->add_option("-o,--out", options.out, "The snapshot to write")->check(check_name);
   command
@@ -277,24 +281,28 @@ void add_simulate(CLI::App& app, Arguments& arguments) {
   });
 }
 
-/// Rejects an unknown first word; the parser would only say that a subcommand is required.
+/// Rejects an unknown command, of `detent` or of one of its commands; the parser would only say that
+/// a subcommand is required.
 void check_command(const CLI::App& app, int argc, char** argv) {
   const std::string word = argc < 2 ? "" : argv[1];
-  if (word == "-h" || word == "--help" || word == "--version") return;
+  const auto commands = app.get_subcommands({});
+  if (commands.empty() || word == "-h" || word == "--help" || word == "--version") return;
   std::string known;
-  for (const CLI::App* const command : app.get_subcommands({})) {
-    if (command->get_name() == word) return;
+  for (const CLI::App* const command : commands) {
+    if (command->get_name() == word) return check_command(*command, argc - 1, argv + 1);
     known += (known.empty() ? "" : ", ") + command->get_name();
   }
   const std::string what = argc < 2                ? "no command"
                            : word.starts_with('-') ? "unknown option '" + word + "'"
                                                    : "unknown command '" + word + "'";
-  throw InputError(what + "; there are " + known + ", and detent --help");
+  throw InputError(what + "; there are " + known + ", and " +
+                   (app.get_parent() != nullptr ? "detent " : "") + app.get_name() + " --help");
 }
 
 int run(int argc, char** argv) {
   Arguments arguments;
-  CLI::App app("detent: correctly rounded ray casts in fixed point", "detent");
+  CLI::App app("detent: casts, pictures, worlds, replays and checks of the fixed-point library",
+               "detent");
   app.set_version_flag("--version", DETENT_TOOL_VERSION);
   app.require_subcommand(1);
   add_cast(app, arguments);

@@ -81,10 +81,14 @@ std::vector<std::filesystem::path> files_of(const ReplayOptions& options) {
       files.emplace_back(path);
       continue;
     }
+    const auto before = files.size();
     for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
       if (entry.is_regular_file(error)) files.push_back(entry.path());
     }
     if (error) throw InputError(path, {}, error.message() + "; name files, or a folder of replays");
+    if (files.size() == before) {
+      throw InputError(path, {}, "has no files in it; name files, or a folder of replays");
+    }
   }
   std::erase_if(files, [&, k = shard, n = shards](const auto& file) {
     return !is_in_shard(file.filename().string(), k, n);
@@ -115,7 +119,9 @@ std::string problem_of(const ReplayCheck& check) {
       return "a byte has changed after frame " + std::to_string(check.frames) +
              "; copy the file again";
     case ReplayState::no_replay:
-      return "not a replay; name a file written by detent replay example or a ReplayWriter";
+      return "not a replay, or its head is damaged; copy it again, or name a file written by "
+             "detent "
+             "replay example or a ReplayWriter";
     case ReplayState::other_inputs:
       return "a replay of a different game; check it with that game's own program";
     case ReplayState::other_results:

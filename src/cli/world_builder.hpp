@@ -109,7 +109,7 @@ class WorldBuilder : private ScalarReader<S> {
     const S offset = length(model.offset, "offset");
     if (move_.is_zero()) return {normal, offset};
     const auto by = [&](std::size_t i) {
-      return scalar(move_.by[i], model.offset.place, "the move");
+      return scalar(move_.by[i], model.offset.place, "--offset");
     };
     const auto moved = offset + dot(normal, Vec<S, 3>{by(0), by(1), by(2)});
     if (moved > largest<S> || moved < -largest<S>) {

@@ -222,6 +222,7 @@ class WorldReader : private JsonFields {
       return ObbModel{point(node, "center", owner), point(node, "half_extents", owner),
                       rotation(find(node, "rotation"))};
     }
+    if (type.text == "plane") fail(type, "a plane cannot be a body; write a large obb");
     if (type.text != "hull") {
       fail(type, "unknown shape " + in_quotes(type.text) + "; choose from " + known);
     }

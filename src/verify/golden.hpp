@@ -10,7 +10,7 @@
 // clang-format off
 namespace detent::verify::golden {
 
-inline constexpr int results_version = 14;
+inline constexpr int results_version = 15;
 
 inline constexpr std::array<std::uint64_t, 1540> full{
     0x97ae3c39ec4fd127u, 0x117e9eac14b96f24u, 0x0268b959be17a001u, 0x3b2f10e93b59eb5bu,
@@ -372,7 +372,7 @@ inline constexpr std::array<std::uint64_t, 1540> full{
     0x7058f98ac5c95850u, 0x0129705eb1b2f1cfu, 0x1eda6afde2d75b53u, 0x00d224f0b3721c5du,
     0x9214441de1413035u, 0x0b44ea23d8e6090au, 0xe7b6a076c0f4d738u, 0x4e970ada2acc8fbau,
     0xa03c92dd6f7a1bbcu, 0x6e16586c0666b081u, 0x668fc465a97ada3bu, 0x0bbf311c1e545592u,
-    0x142c7d8f84d92dedu, 0x23faada211f51f10u, 0x7aa750c22d1fa2ffu, 0xee8fdc8379ae42adu,
+    0x8b12d92a26f9cedeu, 0xc6450ca70c8b4a3bu, 0x7aa750c22d1fa2ffu, 0x8c213ddd0c1a21d4u,
     0x3dcde50fdf9c0942u, 0x7eae1599e050cfaau, 0x7d81e1c540329397u, 0x1e8fda5e9cdb2c0au,
     0x0dc17326742666c1u, 0x64e5f7fe50edb304u, 0x9878be51874248a7u, 0x80269e00e5fa3c92u,
     0xcec0fad7ab06bb04u, 0x9915b4b81500ee4cu, 0xa89368993e86d5b1u, 0x6e0f9380b9925cc7u,
@@ -381,7 +381,7 @@ inline constexpr std::array<std::uint64_t, 1540> full{
     0x032e0c502e90b6e9u, 0x2eb6499f3409bea5u, 0x6a3e664da1c3bfbeu, 0xffb6705a3d6e85d7u,
     0xfc101f5c05a9afbau, 0xbfcee269a9ee2ad5u, 0x10734d6615cefd1cu, 0xe1c34f2e35386820u,
     0x65beaa185357356cu, 0x9a82bbf0827c4f34u, 0x25e9342f9799284au, 0xef218766db6e968cu,
-    0x87fa04e4527135f8u, 0xb45dd441fb8c5142u, 0x723ab7a65e99b2dau, 0xf7d4d886edf9ea95u,
+    0x60cdd5d45d251c9au, 0xb45dd441fb8c5142u, 0x10e35a886a639d01u, 0xe0cb42f82a9d253eu,
     0xbf49d79810efdfb7u, 0x8c2ea7b681142750u, 0xf6e82910b10a2ac0u, 0x8e7f0a78a43d5ec0u,
     0x60ecb02c7cf6fbf4u, 0x1260a7b34f880cd7u, 0x05cced8695ce9ce8u, 0x82b7d747309f47deu,
     0x47270a0f2657a16du, 0x307f7128d82564a8u, 0x416a43b52facf623u, 0x0af9e890774f1dbeu,

@@ -410,6 +410,7 @@ TEST_CASE("detent: a bad command line prints one line and writes nothing") {
                                       "cast ball.json --scalar q1_1",
                                       "cast ball.json --compare float,half",
                                       "cast ball.json --compare ,",
+                                      "cast ball.json --compare float,double,q8_8",
                                       "cast ball.json --compare ''",
                                       "cast ball.json --fast",
                                       "render seen.json",
@@ -446,6 +447,9 @@ TEST_CASE("detent: an unknown command is named") {
   CHECK(refuses(shop.run("''"), "unknown command ''" + known));
   CHECK(refuses(shop.run("--foo"), "unknown option '--foo'" + known));
   CHECK(refuses(shop.run("--foo cast"), "unknown option '--foo'" + known));
+  const std::string of_replay = "; there are check, example, and detent replay --help";
+  CHECK(refuses(shop.run("replay"), "no command" + of_replay));
+  CHECK(refuses(shop.run("replay foo"), "unknown command 'foo'" + of_replay));
 }
 
 TEST_CASE("detent: an empty name is refused for every option") {
@@ -645,7 +649,7 @@ TEST_CASE("detent: bad scenes are refused with file, line and column") {
           "cast s.json --scalar float");
   refused(with_sphere("[0, 0, 0]", "1"), "s.json: the scene has no \"camera\"",
           "render s.json -o x.png");
-  refused(seen_scene, "s.json:2:51: the move = 32768 is out of range",
+  refused(seen_scene, "s.json:2:51: --offset = 32768 is out of range",
           "render s.json -o x.png --offset 32768,0,0");
   refused(seen_scene, "s.json:1:29: position after the move = 32768 is out of range",
           "render s.json -o x.png --offset 0,32766,0");
@@ -653,7 +657,8 @@ TEST_CASE("detent: bad scenes are refused with file, line and column") {
           "s.json:1:12: position and target are the same", "render s.json -o x.png");
   refused("{\"camera\": {\"position\": [1, 1, 1], \"target\": [1, 7, 1]}, \"shapes\": []}",
           "s.json:1:12: the camera looks along its up", "render s.json -o x.png");
-  refused("{\"shapes\": [{\"type\": \"mesh\", \"file\": \"no.obj\"}]}", "no.obj: no such file");
+  refused("{\"shapes\": [{\"type\": \"mesh\", \"file\": \"no.obj\"}]}",
+          "there is no file \"no.obj\" in the folder of this one");
   const auto turned = [](const std::string& rotation) {
     return "{\"shapes\": [{\"type\": \"obb\", \"center\": [0, 0, 0], \"half_extents\": [1, 1, "
            "1],\n" +

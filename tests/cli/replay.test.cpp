@@ -122,7 +122,10 @@ TEST_CASE("replay check: files that are not replays are named, and the others ar
   CHECK(report.totals == ReplayTotals{4, 2, 0, 2, 1, 240 + 240 + 300});
   REQUIRE(report.problems.size() == 2);
   CHECK(has(report.problems[0], "broken: a byte has changed after frame 240; copy"));
-  CHECK(has(report.problems[1], "empty: not a replay; name a file"));
+  CHECK(has(report.problems[1],
+            "empty: not a replay, or its head is damaged; copy it again, or name a file"));
+  const Folder nothing;
+  CHECK_THROWS_AS(check(nothing.path()), InputError);
   const auto missing = check(folder.path() + "/missing");
   REQUIRE(missing.problems.size() == 1);
   CHECK(has(missing.problems[0], "missing"));

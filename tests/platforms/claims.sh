@@ -80,12 +80,12 @@ block() {
       }
     }
     END {
-      printf "**%d platforms gave the golden digests and %s differed**. Of the %d digests of results_version %d, ", equal,
-             different ? different : "none", golden, version
-      if (rows["current"]) printf "%d gave all (%s)", rows["current"], range("current", "date")
-      if (rows["current"] && rows["earlier"]) printf "; "
+      printf "**%d platforms gave the golden digests and %s differed**.", equal, different ? different : "none"
+      printf " Results_version %d has %d digests:", version, golden
+      if (rows["current"]) printf " %d platforms gave all (%s)", rows["current"], range("current", "date")
+      if (rows["current"] && rows["earlier"]) printf ","
       if (rows["earlier"])
-        printf "%d gave %s (%s): the others are newer than their last run, or do not fit", rows["earlier"],
+        printf " %d gave %s (%s), because the others are newer than their last run, or do not fit", rows["earlier"],
                range("earlier", "queries"), range("earlier", "date")
       print "."
       if (failed != "") print "Not equal: " failed "."

@@ -94,14 +94,17 @@ TEST_CASE("mover: no kerb stops a fast character in 2D") {
 TEMPLATE_TEST_CASE("mover: walks onto and up every slope at every speed in 2D", "", q16_16, q24_8) {
   using S = TestType;
   const auto at = flat_at<S>;
-  const auto raw = [](int skins) { return S::from_raw(skins << (S::frac - 8)); };  // 32 are a skin in q24_8
+  const auto raw = [](int skins) {
+    return S::from_raw(skins << (S::frac - 8));
+  };  // 32 are a skin in q24_8
   for (const int degrees : {10, 20, 30, 40, 45, 48, 49}) {
     const auto along = Rotation<S, 2>::from_angle(Angle<S>::turn(degrees, 360)).axis(0);
     const auto up = nearest_to<S>(S(30) * quotient_nearest<S>(along[1], along[0]));
     BoundedScene<Bounded<4>, S, 2, Aabb, Triangle> foot, ramp;
     foot.add(Aabb<S, 2>{at(-9000, -100), at(0, 0)});
     foot.add(Triangle<S, 2>{at(0, 0), at(3000, 0), {S(30), up}});
-    ramp.add(Triangle<S, 2>{{S(-30), nearest_to<S>(-up)}, {S(30), nearest_to<S>(-up)}, {S(30), up}});
+    ramp.add(
+        Triangle<S, 2>{{S(-30), nearest_to<S>(-up)}, {S(30), nearest_to<S>(-up)}, {S(30), up}});
     for (const int skins : {1, 2, 3, 4, 5, 7, 10, 13, 20}) {
       CAPTURE(degrees, skins);
       const S speed = raw(skins);

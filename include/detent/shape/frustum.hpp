@@ -40,8 +40,10 @@ class Frustum {
     for (std::size_t i = 0; i < planes_.size(); ++i) planes_[i] = plane(i);
   }
 
-  /// exact: each coordinate of a corner is the exact one rounded to nearest, ties to even, and
-  ///        clamped to the range of the scalar             (tests/shape/camera.test.cpp)
+  /// domain: cameras whose eight corners are in the range of the scalar; a clamped one bends the sides
+  ///         inward, so that the frustum lacks parts of what the camera sees
+  /// exact:  each coordinate of a corner is the exact one rounded to nearest, ties to even, and
+  ///         clamped to the range of the scalar             (tests/shape/camera.test.cpp)
   explicit constexpr Frustum(const Camera<S>& camera) noexcept;  // in shape/camera.hpp
 
   [[nodiscard]] constexpr const Corners& corners() const noexcept { return corners_; }

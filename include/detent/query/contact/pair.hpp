@@ -231,8 +231,9 @@ template <Scalar S, int N, class A, class B>
 /// either side. Two parallel edges give the two ends of their overlap; all other pairs give one
 /// point. Of a face with more than 32 corners, the first 32 count.
 ///
-/// To segments, spheres and capsules, an oriented box is its slabs, and depths are measured in its
-/// frame; to other shapes it is the box that its edges span.
+/// To segments, spheres and capsules, an oriented box is its slabs, depths are measured in its frame,
+/// and ties are decided there: those of contact(box, other), whose opposite contact(other, box)
+/// returns. To other shapes it is the box that its edges span.
 ///
 /// units:  world units
 /// domain: every input; an empty shape touches nothing; depths are clamped to the greatest scalar

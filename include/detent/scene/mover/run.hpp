@@ -188,11 +188,11 @@ class MoverRun {
     return meets_wall;
   }
 
-  /// How far a character that walks must rise to be a skin away from the ground that ended a step.
-  /// The half-space of this ground would push it back along the slope, so that a slow one would never
-  /// get onto it: it comes down again on the ground before the slope, less than a skin from it. It
-  /// rises a unit at least where the ground allowed no step: a motion that leads into the ground by
-  /// less than a unit counts as one along it.
+  /// How far a walking character must rise to be a skin away from the ground that ended a step.
+  ///
+  /// Otherwise a slow one would never get onto a slope: it lands on the ground in front, less than a
+  /// skin from the slope, whose half-space pushes it back. Where the ground allowed no step at all, it
+  /// rises by a unit: `HalfSpaces::closest` ignores how much less than that a motion leads into it.
   template <class Cosine>
   constexpr S lift(const Step<S, N>& step, const Cosine& slope) const noexcept {
     const S least = step.by == Motion{} ? next_up(S(0)) : S(0);
