@@ -658,7 +658,7 @@ TEST_CASE("detent: bad scenes are refused with file, line and column") {
   refused("{\"camera\": {\"position\": [1, 1, 1], \"target\": [1, 7, 1]}, \"shapes\": []}",
           "s.json:1:12: the camera looks along its up", "render s.json -o x.png");
   refused("{\"shapes\": [{\"type\": \"mesh\", \"file\": \"no.obj\"}]}",
-          "there is no file \"no.obj\" in the folder of this one");
+          "s.json:1:38: there is no file \"no.obj\" in the folder of this one");
   const auto turned = [](const std::string& rotation) {
     return "{\"shapes\": [{\"type\": \"obb\", \"center\": [0, 0, 0], \"half_extents\": [1, 1, "
            "1],\n" +

@@ -124,8 +124,8 @@ TEST_CASE("replay check: files that are not replays are named, and the others ar
   CHECK(has(report.problems[0], "broken: a byte has changed after frame 240; copy"));
   CHECK(has(report.problems[1],
             "empty: not a replay, or its head is damaged; copy it again, or name a file"));
-  const Folder nothing;
-  CHECK_THROWS_AS(check(nothing.path()), InputError);
+  std::filesystem::create_directory(folder.path() + "/nothing");
+  CHECK_THROWS_AS(check(folder.path() + "/nothing"), InputError);
   const auto missing = check(folder.path() + "/missing");
   REQUIRE(missing.problems.size() == 1);
   CHECK(has(missing.problems[0], "missing"));
