@@ -156,7 +156,8 @@ MeshModel JsonFields::model_file(const JsonNode& node, const std::string& owner)
   }
   const auto path = std::filesystem::path(file_).parent_path() / file.text;
   if (std::error_code error; !std::filesystem::exists(path, error)) {
-    fail(file, "there is no file " + in_quotes(file.text) + " in the folder of this one");
+    fail(file, "there is no file " + in_quotes(file.text) +
+                   " in the folder of this one; correct its name");
   }
   return read_obj(path.string(), scale);
 }
