@@ -16,6 +16,8 @@ trap 'rm -rf "$work"' EXIT
 #
 # A row counts as many digests of the current version as its last whole run had queries, less those
 # whose digests have changed since, plus those that it answered later (with --only) as they are now.
+# The queries of a whole run are those of the first version that had as many, because new ones are
+# also added to a version.
 block() {
   awk -F'|' -v page="$1" -v version="$version" -v floats="$(sed -n 's/^float|//p' "$results")" '
     function list(text, item) { return text == "" ? item : text ", " item }
@@ -30,13 +32,25 @@ block() {
     }
     # Whether version v of a query has the current digest.
     function is_current(v, name) { return (v, name) in digest && digest[v, name] == digest[version, name] }
-    # How many queries were answered later than with version `before`, in fields 16 and on, but count
-    # only since then.
-    function later(before,   count, i, k, n, name) {
+    # The version with whose queries a row was run as a whole.
+    function asked_in(   v) {
+      for (v = 1; v < $15; ++v) if (count_of[v] == $13) return v
+      return $15
+    }
+    # How many queries of that version have changed since the row was run.
+    function changed(asked,   count, name) {
+      for (name in names_of) count += (asked, name) in digest && !is_current($15, name)
+      return count + 0
+    }
+    # How many queries were answered later, in fields 16 and on, but count only since then.
+    function later(asked,   count, i, k, n, name, is_known) {
       for (i = 16; i < NF; i += 3) {
         if ($(i + 1) > last) last = $(i + 1)
         n = split($i, name, " ")
-        for (k = 1; k <= n; ++k) count += !is_current(before, name[k]) && is_current($(i + 2), name[k])
+        for (k = 1; k <= n; ++k) {
+          is_known = (asked, name[k]) in digest && is_current($15, name[k])
+          count += !is_known && is_current($(i + 2), name[k])
+        }
       }
       return count + 0
     }
@@ -44,14 +58,11 @@ block() {
       if (/^#/ || NF == 0) next
       split($0, field, " ")
       digest[field[1], field[2]] = field[4]
-      if (field[1] == version) ++golden
-      versions[field[1]]; names_of[field[2]]
+      ++count_of[field[1]]
+      names_of[field[2]]
       next
     }
-    FNR == 1 {
-      for (v in versions) for (n in names_of)
-        if ((v, n) in digest && !is_current(v, n)) ++changes[v]
-    }
+    FNR == 1 { golden = count_of[version] }
     $1 != "row" { next }
     {
       name = $3; result = $10; group = $2
@@ -59,7 +70,8 @@ block() {
         ++equal
         big += $6 == "big"; short += $5 == 32; ours += $7 == "ours"; soft += $8 == "none"
         last = $14
-        answered = $13 - changes[$15] + later($15)
+        asked = asked_in()
+        answered = $13 - changed(asked) + later(asked)
         state = answered == golden ? "current" : "earlier"
         ++rows[state]
         note(state, "date", $14); note(state, "date", last); note(state, "queries", answered)
