@@ -94,9 +94,6 @@ TEST_CASE("mover: no kerb stops a fast character in 2D") {
 TEMPLATE_TEST_CASE("mover: walks onto and up every slope at every speed in 2D", "", q16_16, q24_8) {
   using S = TestType;
   const auto at = flat_at<S>;
-  const auto raw = [](int skins) {
-    return S::from_raw(skins << (S::frac - 8));
-  };  // 32 are a skin in q24_8
   for (const int degrees : {10, 20, 30, 40, 45, 48, 49}) {
     const auto along = Rotation<S, 2>::from_angle(Angle<S>::turn(degrees, 360)).axis(0);
     const auto up = nearest_to<S>(S(30) * quotient_nearest<S>(along[1], along[0]));
@@ -105,9 +102,9 @@ TEMPLATE_TEST_CASE("mover: walks onto and up every slope at every speed in 2D", 
     foot.add(Triangle<S, 2>{at(0, 0), at(3000, 0), {S(30), up}});
     ramp.add(
         Triangle<S, 2>{{S(-30), nearest_to<S>(-up)}, {S(30), nearest_to<S>(-up)}, {S(30), up}});
-    for (const int skins : {1, 2, 3, 4, 5, 7, 10, 13, 20}) {
-      CAPTURE(degrees, skins);
-      const S speed = raw(skins);
+    for (const int steps : {1, 2, 3, 4, 5, 7, 10, 13, 20}) {  // of 1/256, the grid of q24_8
+      CAPTURE(degrees, steps);
+      const S speed = quotient_nearest<S>(steps, 256);
       for (const auto* const world : {&foot, &ramp}) {
         Mover<S, 2, Sphere> ball{{at(-60, world == &foot ? 60 : 70), Level<S>::number(40)}};
         for (int i = 0; i < 20; ++i) ball.move(*world, at(0, -10));
