@@ -28,6 +28,12 @@ concept IsBodyShape = requires(const T& shape) {
   detail::local_form(shape);
 };
 
+// Compilers show the line with the name.
+// clang-format off
+template <class... Parts>
+concept NamesBodies = !(IsJoint<Parts> && ...);  // detent: name the bodies' shapes: World<q16_16, 3, Sphere, BallJoint>
+// clang-format on
+
 }  // namespace detail
 
 /// A pair of bodies that began or stopped touching in the last step, in order of their indices; for
@@ -54,6 +60,7 @@ struct TouchEvent {
 /// domain: scalars with up to 31 bits
 /// exact:  as docs/dynamics.md says                     (tests/dynamics/world.test.cpp)
 template <class Storage, Scalar S, int N, class... Parts>
+requires detail::NamesBodies<Parts...>
 class BasicWorld {
   using Types = detail::WorldTypes<Storage, S, N, Parts...>;
   using Tick = detail::Tick<Types>;

@@ -19,6 +19,16 @@
 
 namespace detent {
 
+namespace detail {
+
+// Compilers show the line with the name.
+// clang-format off
+template <class... Shapes>
+concept NamesShapes = sizeof...(Shapes) > 0;  // detent: name the scene's shapes: Scene<q16_16, 3, Sphere, Aabb>
+// clang-format on
+
+}  // namespace detail
+
 /// Objects of the listed shape types, and queries over all of them. Write
 /// `Scene<q16_16, 3, Sphere, Obb>`, or `BoundedScene<Bounded<256>, q16_16, 3, Sphere>` for one that
 /// never allocates.
@@ -52,6 +62,7 @@ namespace detent {
 /// exact:  the results of the queries on single shapes
 ///         (tests/scene/history.test.cpp, tests/scene/cast.test.cpp)
 template <class Storage, Scalar S, int N, class... Shapes>
+requires detail::NamesShapes<Shapes...>
 class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
   using Base = detail::SceneContents<Storage, S, N, Shapes...>;
 
