@@ -2,7 +2,8 @@
 """Correctly rounded collision queries, scenes and worlds with the same bits on every machine.
 
 All numbers are raw integers: a length of 1 is `ONE`, a direction's component of 1 is `UNIT`.
-`raw(1.5)` rounds a float to a length, and `number(n)` converts a length to a float. `d2` and `d3`
+`raw(1.5)` rounds a float to a length, and `number(n)` converts a length to a float. An integer that
+does not fit raises OverflowError in a shape, and ctypes.ArgumentError as an argument. `d2` and `d3`
 make shapes, rays and queries; a `Context` makes scenes and worlds:
 
     import detent
@@ -27,6 +28,7 @@ from collections import namedtuple
 from ctypes import byref
 
 from . import _interface as c
+from ._checked import int32_array
 
 ONE = 1 << 16
 UNIT = 1 << 30
@@ -113,7 +115,9 @@ def _int32(values):
     keeps them alive."""
     if hasattr(values, '__array_interface__'):
         import numpy
-        values = numpy.ascontiguousarray(values, dtype=numpy.int32)
+        given, values = values, numpy.ascontiguousarray(values, dtype=numpy.int32)
+        if not numpy.array_equal(given, values):
+            raise OverflowError('int32 numbers are needed')
         return values.ctypes.data, values.size, values
     view = memoryview(values)
     if view.nbytes % 4 or view.readonly:
@@ -788,7 +792,7 @@ class World(_Held):
         return self._call('set_velocity', which._in_c(), self._space._vec(*velocity))
 
     def _axial(self, numbers):
-        return (ctypes.c_int32 * (1 if self._space.dimension == 2 else 3))(*numbers)
+        return int32_array(numbers, 1 if self._space.dimension == 2 else 3)
 
     def set_angular_velocity(self, which, velocity):
         return self._call('set_angular_velocity', which._in_c(), self._axial(velocity))
@@ -1161,7 +1165,7 @@ class Context:
         if len(heights) != columns * rows:
             raise ValueError('there must be columns * rows heights')
         return self._asset(_library.detent_height_field_create, name, c.detent_vec2(*corner), cell,
-                           columns, rows, (ctypes.c_int32 * len(heights))(*heights))
+                           columns, rows, int32_array(heights, len(heights)))
 
 
 def placed(asset, translation, axes=None, scale=ONE):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 import array
+import ctypes
 import os
 import re
 import sys
@@ -461,6 +462,22 @@ class Test(unittest.TestCase):
         self.assertRaises(detent.Error, self.context.scene3)
         self.assertEqual(detent.raw(-0.5), -32768)
         self.assertRaises(OverflowError, detent.raw, 32768)
+
+    def test_integers_that_do_not_fit(self):
+        limit = 1 << 31
+        self.assertRaises(OverflowError, d3.sphere, (0, limit, 0), ONE)
+        self.assertRaises(OverflowError, d3.sphere, (0, 0, 0), limit)
+        self.assertRaises(OverflowError, d3.ray, (0, 0, -limit - 1), (UNIT, 0, 0))
+        self.assertRaises(OverflowError, d2.obb, (0, 0), (ONE, ONE), ((UNIT, 0), (0, 1 << 40)))
+        d3.sphere((limit - 1, -limit, 0), ONE)
+        ball = d3.sphere((0, 0, 0), ONE)
+        scene, world = self.context.scene3(), self.context.world3()
+        self.assertRaises(ctypes.ArgumentError, scene.cast, ball, (UNIT, 0, 0), limit)
+        self.assertRaises(ctypes.ArgumentError, scene.nearest, ball, -1)
+        self.assertRaises(OverflowError, scene.add, ball, user=-1)
+        body = world.add(ball)
+        self.assertRaises(OverflowError, world.set_angular_velocity, body, (0, 0, limit))
+        self.assertRaises(OverflowError, self.context.height_field, 1, (0, 0), ONE, 2, 2, [0, 0, 0, limit])
 
     def check_many(self, rays):
         box = d3.aabb((5 * ONE, -ONE, -ONE), (6 * ONE, ONE, ONE))
