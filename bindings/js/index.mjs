@@ -47,6 +47,15 @@ export const events = Object.fromEntries(['CONNECTED', 'SILENT', 'HEARD_AGAIN', 
 export const states = Object.fromEntries(['PLAYED', 'CONNECTING', 'CATCHING_UP', 'STARVED', 'AHEAD', 'PAUSED',
   'OVER', 'JOINING'].map((name) => [name.toLowerCase(), constants[name]]));
 
+/** An integer of 32 bits. DataView and WebAssembly would keep only the low bits of a larger one. */
+function fitting(value, least) {
+  const number = Number(value);  // of a boolean, too
+  if (!(Number.isInteger(number) && number >= least && number < least + 2 ** 32)) {
+    throw new RangeError(`${value} is no integer from ${least} to ${least + 2 ** 32 - 1}`);
+  }
+  return number;
+}
+
 const kinds = { sphere: 1, aabb: 2, obb: 3, plane: 4, triangle: 5, capsule: 6, segment: 7, point: 8 };
 const memberOf = ['', ...Object.keys(kinds), 'placed', 'placed', 'point', 'placed'];
 /** The kind of an asset's shape by the lowest bits of its handle; others are hulls. */
@@ -90,8 +99,8 @@ class Memory {
 
   write(at, type, value) {
     const view = this.view();
-    if (type === 'int32_t') return view.setInt32(at, value, true);
-    if (type === 'uint32_t') return view.setUint32(at, value, true);
+    if (type === 'int32_t') return view.setInt32(at, fitting(value, -(2 ** 31)), true);
+    if (type === 'uint32_t') return view.setUint32(at, fitting(value, 0), true);
     if (type === 'uint64_t') return view.setBigUint64(at, BigInt(value), true);
     const layout = layouts[type];
     layout.fields.forEach(([name, of, offset, count], i) => {
@@ -386,6 +395,7 @@ class Module {
   }
   /** True for yes or done, false for no or none; throws on an error. */
   run(name, ...words) {
+    for (const word of words) if (typeof word === 'number') fitting(word, word < 0 ? -(2 ** 31) : 0);
     const status = this.memory.exports[`detent_${name}`](...words);
     if (status >= 0) return status === constants.OK;
     throw new DetentError(status, this.memory.text(this.memory.exports.detent_describe(status)));

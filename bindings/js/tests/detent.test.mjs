@@ -353,6 +353,23 @@ test('errors', async () => {
   assert.throws(() => detent.raw(32768), RangeError);
 });
 
+test('an integer that does not fit throws', async () => {
+  const library = await detent.load(3, file(3));
+  const { space } = library, context = library.open(), scene = context.scene();
+  const limit = 2 ** 31, ball = space.sphere([limit - 1, -limit, 0], ONE);
+  const id = scene.add(ball, { layers: 2 ** 32 - 1 });
+  for (const wrong of [limit, -limit - 1, 0.5, NaN]) {
+    assert.throws(() => scene.add(space.sphere([0, wrong, 0], ONE)), RangeError);
+    assert.throws(() => scene.add(space.sphere([0, 0, 0], wrong)), RangeError);
+    assert.throws(() => space.contains(ball, [0, 0, wrong]), RangeError);
+    assert.throws(() => space.raycast(space.ray([0, 0, 0], [UNIT, 0, 0], wrong), ball), RangeError);
+  }
+  assert.throws(() => scene.add(ball, { layers: -1 }), RangeError);
+  assert.throws(() => scene.raycast(space.ray([0, 0, 0], [UNIT, 0, 0]), 2 ** 32), RangeError);
+  assert.deepEqual(scene.nearest(space.point([0, 0, 0])).id, id);
+  context.close();
+});
+
 test('every method has a type', async () => {
   const types = await readFile(new URL('../index.d.mts', import.meta.url), 'utf8');
   for (const name of Object.keys(detent)) assert.match(types, new RegExp(`\\b${name}\\b`));

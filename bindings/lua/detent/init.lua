@@ -36,10 +36,30 @@ function detent.number(length) return length / detent.ONE end
 
 function detent.results_version() return c.detent_results_version() end
 
+-- The number, if it is an integer of 32 bits; the FFI would keep any bits of another one.
+local function whole(value, level)
+  if not (value % 1 == 0 and value >= -2147483648 and value < 2147483648) then
+    error(value .. ' is no integer from -2^31 to 2^31 - 1', level or 3)
+  end
+  return value
+end
+
+-- Makes vectors of this type from two or three numbers, a table of them, or another vector.
+local function vectors(kind)
+  return function(first, ...)
+    local numbers = type(first) == 'number' and { first, ... } or first
+    if type(numbers) == 'table' then
+      for _, number in ipairs(numbers) do whole(number, 4) end
+    end
+    return numbers and kind(numbers) or kind()
+  end
+end
+
 -- Shapes, rays and queries of one dimension: detent.d2 and detent.d3.
 local function space(dimension)
   local function name(what) return 'detent_' .. what:gsub('{N}', dimension) end
-  local vec, direction = ffi.typeof(name('vec{N}')), ffi.typeof(name('direction{N}'))
+  local vec = vectors(ffi.typeof(name('vec{N}')))
+  local direction = vectors(ffi.typeof(name('direction{N}')))
   local ray, shape = ffi.typeof(name('ray{N}')), ffi.typeof(name('shape{N}'))
   local hit, number = ffi.typeof(name('hit{N}')), ffi.typeof('int32_t[1]')
   local d = { dimension = dimension, vec = vec, direction = direction }
@@ -50,11 +70,11 @@ local function space(dimension)
     return new
   end
   function d.ray(origin, along, max_distance)
-    return ray(vec(origin), direction(along), max_distance or 2147483647)
+    return ray(vec(origin), direction(along), whole(max_distance or 2147483647))
   end
   function d.sphere(center, radius)
     local new = made(c.DETENT_SPHERE)
-    new.as.sphere.center, new.as.sphere.radius = vec(center), radius
+    new.as.sphere.center, new.as.sphere.radius = vec(center), whole(radius)
     return new
   end
   function d.aabb(least, greatest)
@@ -75,12 +95,12 @@ local function space(dimension)
   end
   function d.plane(normal, offset)
     local new = made(c.DETENT_PLANE)
-    new.as.plane.normal, new.as.plane.offset = direction(normal), offset
+    new.as.plane.normal, new.as.plane.offset = direction(normal), whole(offset)
     return new
   end
   function d.capsule(start, stop, radius)
     local new = made(c.DETENT_CAPSULE)
-    new.as.capsule.a, new.as.capsule.b, new.as.capsule.radius = vec(start), vec(stop), radius
+    new.as.capsule.a, new.as.capsule.b, new.as.capsule.radius = vec(start), vec(stop), whole(radius)
     return new
   end
   function d.triangle(first, second, third)

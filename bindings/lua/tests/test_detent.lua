@@ -106,6 +106,13 @@ function tests.numbers()
   assert(detent.raw(1.5) == 98304 and detent.number(98304) == 1.5)
   assert(detent.raw(2.5 / ONE) == 2 and detent.raw(3.5 / ONE) == 4 and detent.raw(-2.5 / ONE) == -2)
   assert(not pcall(detent.raw, 32768) and detent.raw(-32768) == -2147483648)
+  local limit = 2147483648
+  assert(d3.vec(limit - 1, -limit, 0).y == -limit and d3.vec({ 1, 2, 3 }).z == 3)
+  for _, wrong in ipairs({ limit, -limit - 1, 0.5, 0 / 0 }) do
+    assert(not pcall(d3.vec, 0, wrong, 0) and not pcall(d3.sphere, { 0, 0, wrong }, ONE))
+    assert(not pcall(d3.sphere, { 0, 0, 0 }, wrong) and not pcall(d3.plane, { UNIT, 0, 0 }, wrong))
+    assert(not pcall(d3.ray, { 0, 0, 0 }, { UNIT, 0, 0 }, wrong))
+  end
 end
 
 local count, failed = 0, 0
