@@ -272,5 +272,31 @@ TEST_CASE("world: full worlds and wrong ids are refused") {
   CHECK(!(world.position(*first) == world.position(*second)));  // pushed apart
 }
 
+TEST_CASE("world: with room for two contacts, the first two balls on the ground stay on it") {
+  using Roomy = BoundedWorld<Bounded<5>, q16_16, 2, Sphere>;
+  using Narrow = BoundedWorld<Bounded<5, 0, 2>, q16_16, 2, Sphere>;
+  STATIC_REQUIRE(Roomy::contact_capacity == 40 && Narrow::contact_capacity == 2);
+  STATIC_REQUIRE(sizeof(Narrow) < sizeof(Roomy) / 4);
+  const auto drop = [](auto world, int balls) {
+    add_round_ground(world);
+    for (int i = 0; i < balls; ++i) add_ball(world, 3 * i, 1);
+    for (int t = 0; t < 120; ++t) world.step();
+    return world;
+  };
+  const auto two = drop(Narrow(), 2);
+  CHECK(digest(two) == digest(drop(Roomy(), 2)));
+  const auto full = drop(Narrow(), 4);
+  int on_ground = 0;
+  full.for_each([&](const auto&, const Sphere<q16_16, 2>& ball) {
+    on_ground += ball.radius == 1 && ball.center.y > -5 ? 1 : 0;
+  });
+  CHECK(on_ground == 2);
+  Narrow restored;
+  add_round_ground(restored);
+  CHECK(restore(restored, snapshot(drop(World<q16_16, 2, Sphere>(), 2))) == Restored::yes);
+  CHECK(restore(restored, snapshot(drop(World<q16_16, 2, Sphere>(), 4))) == Restored::no_room);
+  CHECK(digest(restored) == digest(two));
+}
+
 }  // namespace
 }  // namespace detent::test

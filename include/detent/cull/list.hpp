@@ -69,22 +69,26 @@ class FixedList<T, 0> {
 }  // namespace detail
 
 #if __STDC_HOSTED__
-/// Storage of a scene that allocates as it grows.
+/// Storage of a scene or world that allocates as it grows.
 struct Growing {
   static constexpr bool is_growing = true;
-  /// The most objects, and the most frames, even if a snapshot claims more.
+  /// The most objects, frames and contacts, even if a snapshot claims more.
   static constexpr std::size_t capacity = std::size_t{1} << 20;
   static constexpr std::size_t frame_capacity = capacity;
+  static constexpr std::size_t contact_capacity = 8 * capacity;
   template <class T, std::size_t>
   using List = std::vector<T>;
 };
 #endif
 
-/// Storage of a scene that holds its memory inside itself and never allocates.
-template <std::size_t Capacity, std::size_t FrameCapacity = 0>
+/// Storage of a scene or world that holds its memory inside itself and never allocates: for so many
+/// objects or bodies, frames of a scene, and contacts of a world.
+template <std::size_t Capacity, std::size_t FrameCapacity = 0,
+          std::size_t ContactCapacity = 8 * Capacity>
 struct Bounded {
   static constexpr std::size_t capacity = Capacity;
   static constexpr std::size_t frame_capacity = FrameCapacity;
+  static constexpr std::size_t contact_capacity = ContactCapacity;
   template <class T, std::size_t Count>
   using List = detail::FixedList<T, Count>;
 };

@@ -12,9 +12,6 @@
 
 namespace detent::detail {
 
-/// The contact capacity of a world with this body capacity.
-[[nodiscard]] constexpr std::size_t contact_room(std::size_t bodies) noexcept { return 8 * bodies; }
-
 /// The types and capacities of a world; `Parts` are its shapes and joints.
 template <class Store, Scalar T, int D, class... Parts>
 struct WorldTypes {
@@ -45,7 +42,7 @@ struct WorldTypes {
   template <class Element, std::size_t Room>
   using List = typename Storage::template List<Element, Room>;
   static constexpr std::size_t bodies_room = Storage::capacity;
-  static constexpr std::size_t contacts_room = contact_room(Storage::capacity);
+  static constexpr std::size_t contacts_room = Storage::contact_capacity;
   static constexpr std::size_t passes_room = Storage::capacity;
   using Bodies = List<Body, bodies_room>;
   using Contacts = List<ContactState, contacts_room>;
