@@ -2,7 +2,8 @@
 //
 // Correctly rounded collision queries, scenes and worlds with the same bits on every machine, in
 // WebAssembly. All numbers are raw integers: a length of 1 is ONE, a direction's component of 1 is
-// UNIT. Points and directions are arrays; digests are BigInts. The types are in index.d.mts.
+// UNIT; a number that is no integer of 32 bits throws a RangeError. Points and directions are arrays;
+// digests are BigInts. The types are in index.d.mts.
 
 import * as constants from './interface.mjs';
 
