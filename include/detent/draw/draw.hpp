@@ -22,3 +22,28 @@
 #include "detent/draw/sink.hpp"
 #include "detent/draw/surface.hpp"
 #include "detent/draw/world.hpp"
+#include "detent/query/kernel/argument.hpp"
+
+namespace detent {
+
+namespace detail {
+
+template <class Sink, class Point>
+inline constexpr bool takes_lines = false;
+template <class Sink, Scalar S, int N>
+inline constexpr bool takes_lines<Sink, Vec<S, N>> = DrawSink<Sink, S, N>;
+
+template <class Sink, class Shape>
+concept NoSink = IsArgument<Shape> && !takes_lines<Sink, typename PointOf<Shape>::type>;
+
+}  // namespace detail
+
+/// Catches sinks that lack a member.
+template <class Sink, class Shape, class... Rest>
+requires detail::NoSink<Sink, Shape>
+void draw(Sink&, const Shape&, const Rest&...) {
+  static_assert(!detail::NoSink<Sink, Shape>,
+                "detent: a sink has line(a, b, colour) and, in 3D, triangle(a, b, c, colour)");
+}
+
+}  // namespace detent

@@ -452,6 +452,12 @@ template <Scalar S, int N, class... Shapes>
 }
 #endif
 
+// Deleted: compilers show the line with the name.
+// clang-format off
+template <std::size_t... Rooms, Scalar S, int N, class... Shapes>
+void snapshot(const BasicWorld<Bounded<Rooms...>, S, N, Shapes...>&) = delete;  // detent: a BoundedWorld writes to a std::span: snapshot(world, room)
+// clang-format on
+
 /// Sets `world` to the state of a snapshot, or returns why it is unchanged.
 ///
 /// domain: any bytes

@@ -41,6 +41,12 @@ class Direction {
   /// The positive x axis.
   constexpr Direction() noexcept { components_.x = Component(1); }
 
+  // Deleted: compilers show the line with the name.
+  // clang-format off
+  template <class T>
+  Direction(const Vec<T, N>&) = delete;  // detent: write normalize(v), which is a std::optional
+  // clang-format on
+
   /// The positive axis `i`.
   [[nodiscard]] static constexpr Direction along(int i) noexcept {
     Direction result;

@@ -64,6 +64,10 @@ template <class A, class B>
 concept PlaneFirst = Arguments<A, B> && NoRay<A, B> && NoPoint<A, B> && is_kind<A, Plane>;
 template <class A, class B>
 concept NotTwoShapes = Arguments<A, B> && !TwoShapes<A, B>;
+template <class A, class B>
+concept HaveSurface = NoRay<A, B> && NoPoint<A, B> && !(is_convex<A> && is_convex<B>);
+template <class D, class A, class B>
+concept VectorBetween = IsPoint<D> && IsArgument<A> && IsArgument<B>;
 
 }  // namespace detail
 
@@ -119,6 +123,8 @@ template <class A, class B> requires detail::HaveRay<A, B>
 void contact(const A&, const B&) DETENT_INSTEAD("a ray: use raycast_hit(ray, shape)");
 template <class A, class B> requires detail::HavePoint<A, B>
 void contact(const A&, const B&) DETENT_INSTEAD("a point: give a sphere of radius 0");
+template <class A, class B> requires detail::HaveSurface<A, B>
+void contact(const A&, const B&) DETENT_INSTEAD("a mesh or terrain: use contacts(mesh, shape, out)");
 template <class A, class B> requires detail::MixedBodies<A, B>
 void contact(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
 
@@ -158,10 +164,15 @@ void cast(const A&, const D&, const T&, const B&) DETENT_INSTEAD("a plane rests:
 template <class A, class D, class T, class B> requires detail::MixedBodies<A, B>
 void cast(const A&, const D&, const T&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
 
+template <class A, class D, class T, class B> requires detail::VectorBetween<D, A, B>
+void cast(const A&, const D&, const T&, const B&) DETENT_INSTEAD("a vector: give a direction, *normalize(v)");
+
 template <class A, class SweepA, class B, class SweepB> requires detail::HavePlane<A, B>
 void time_of_impact(const A&, const SweepA&, const B&, const SweepB&) DETENT_INSTEAD("a plane rests: use time_of_impact(a, sweep, plane)");
 template <class A, class SweepA, class B, class SweepB> requires detail::NotTwoShapes<A, B>
 void time_of_impact(const A&, const SweepA&, const B&, const SweepB&) DETENT_INSTEAD("no shape: use a Sphere or Capsule of radius 0");
+template <class A, class SweepA, class B, class SweepB> requires detail::VectorBetween<SweepA, A, B>
+void time_of_impact(const A&, const SweepA&, const B&, const SweepB&) DETENT_INSTEAD("a vector: give a Sweep{start, end}");
 template <class A, class SweepA, class B, class SweepB> requires detail::MixedShapes<A, B>
 void time_of_impact(const A&, const SweepA&, const B&, const SweepB&) DETENT_INSTEAD("give both shapes the same scalar and dimension");
 

@@ -8,6 +8,16 @@
 
 namespace detent {
 
+namespace detail {
+
+// Compilers show the line with the name.
+// clang-format off
+template <class World>
+concept HoldsObjects = requires(const World& world, const ObjectId& id) { world.frame_of(id); };  // detent: a Mover moves through a Scene; follow(scene, world) fills one with bodies
+// clang-format on
+
+}  // namespace detail
+
 /// A character: a capsule, sphere or axis-aligned box that walks, slides along walls, climbs steps
 /// and is carried by the ground it stands on. The object is the whole state; a world stores it and
 /// the velocity.
@@ -47,7 +57,7 @@ struct Mover {
   ///         (tests/scene/mover.test.cpp, tests/scene/mover_property.test.cpp)
   /// source: cast and clip, Quake, PM_SlideMove; planes, b2SolvePlanes of Box2D 3.1; steps and
   ///         ground as CharacterVirtual of Jolt Physics
-  template <class World, ObjectFilter Filter = Everything>
+  template <detail::HoldsObjects World, ObjectFilter Filter = Everything>
   constexpr MoveResult<S, N> move(const World& world, const Vec<S, N>& by,
                                   const MoverSettings<S, N>& settings = {},
                                   const Filter& filter = {}) {

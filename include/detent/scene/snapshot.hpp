@@ -237,6 +237,12 @@ template <class Storage, Scalar S, int N, class... Shapes>
   return bytes;
 }
 
+// Deleted: compilers show the line with the name.
+// clang-format off
+template <std::size_t... Rooms, Scalar S, int N, class... Shapes>
+void snapshot(const BasicScene<Bounded<Rooms...>, S, N, Shapes...>&) = delete;  // detent: a BoundedScene writes to a std::span: snapshot(scene, room)
+// clang-format on
+
 /// Replaces the moving objects and the frames of `scene` by those of a snapshot, or leaves the
 /// scene unchanged and returns why. No bytes make it allocate more memory than the objects of a
 /// full scene need. The meshes, hulls and height fields of moving objects are looked up by id and

@@ -33,6 +33,9 @@ template <Scalar S, int N>
 Ray(Vec<S, N>, Direction<S, N>, S) -> Ray<S, N>;
 template <Scalar S, int N>
 Ray(Vec<S, N>, Direction<S, N>) -> Ray<S, N>;
+// So that a vector in the place of the direction gets the error of Direction.
+template <Scalar S, int N, class... Rest>
+Ray(Vec<S, N>, Vec<S, N>, Rest...) -> Ray<S, N>;
 
 /// The point `distance` along `ray`: each coordinate rounded to nearest, ties to even, and clamped
 /// to the range of the scalar.
