@@ -65,9 +65,9 @@ concept PlaneFirst = Arguments<A, B> && NoRay<A, B> && NoPoint<A, B> && is_kind<
 template <class A, class B>
 concept NotTwoShapes = Arguments<A, B> && !TwoShapes<A, B>;
 template <class A, class B>
-concept HaveSurface = NoRay<A, B> && NoPoint<A, B> && !(is_convex<A> && is_convex<B>);
+concept HaveSurface = TwoShapes<A, B> && !MixedArguments<A, B> && !(is_convex<A> && is_convex<B>);
 template <class D, class A, class B>
-concept VectorBetween = IsPoint<D> && IsArgument<A> && IsArgument<B>;
+concept VectorBetween = IsPoint<D> && TwoShapes<A, B> && !MixedArguments<A, B>;
 
 }  // namespace detail
 
@@ -164,14 +164,14 @@ void cast(const A&, const D&, const T&, const B&) DETENT_INSTEAD("a plane rests:
 template <class A, class D, class T, class B> requires detail::MixedBodies<A, B>
 void cast(const A&, const D&, const T&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
 
-template <class A, class D, class T, class B> requires detail::VectorBetween<D, A, B>
+template <class A, class D, class T, class B> requires(detail::VectorBetween<D, A, B> && !detail::PlaneFirst<A, B>)
 void cast(const A&, const D&, const T&, const B&) DETENT_INSTEAD("a vector: give a direction, *normalize(v)");
 
 template <class A, class SweepA, class B, class SweepB> requires detail::HavePlane<A, B>
 void time_of_impact(const A&, const SweepA&, const B&, const SweepB&) DETENT_INSTEAD("a plane rests: use time_of_impact(a, sweep, plane)");
 template <class A, class SweepA, class B, class SweepB> requires detail::NotTwoShapes<A, B>
 void time_of_impact(const A&, const SweepA&, const B&, const SweepB&) DETENT_INSTEAD("no shape: use a Sphere or Capsule of radius 0");
-template <class A, class SweepA, class B, class SweepB> requires detail::VectorBetween<SweepA, A, B>
+template <class A, class SweepA, class B, class SweepB> requires(detail::VectorBetween<SweepA, A, B> && !detail::HavePlane<A, B>)
 void time_of_impact(const A&, const SweepA&, const B&, const SweepB&) DETENT_INSTEAD("a vector: give a Sweep{start, end}");
 template <class A, class SweepA, class B, class SweepB> requires detail::MixedShapes<A, B>
 void time_of_impact(const A&, const SweepA&, const B&, const SweepB&) DETENT_INSTEAD("give both shapes the same scalar and dimension");

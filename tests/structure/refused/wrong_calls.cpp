@@ -37,6 +37,7 @@ void calls(const Sphere<q16_16, 3>& ball, const Ray<q16_16, 3>& ray, const Vec<q
   distance(point, flat);                      // give both the same scalar and dimension
   contact(ball, ray);                         // a ray: use raycast_hit(ray, shape)
   contact(point, ball);                       // a point: give a sphere of radius 0
+  contact(mesh, small);                       // give both the same scalar and dimension
   contact(ball, small);                       // give both the same scalar and dimension
   contact(mesh, ball);                        // a mesh or terrain: use contacts(mesh, shape, out)
   contact(ball, mesh);                        // a mesh or terrain: use contacts(mesh, shape, out)
@@ -44,6 +45,8 @@ void calls(const Sphere<q16_16, 3>& ball, const Ray<q16_16, 3>& ray, const Vec<q
   cast(ball, ahead, reach, ray);              // a ray: use raycast_hit(ray, shape)
   cast(point, ahead, reach, ball);            // a point: give a sphere of radius 0
   cast(wall, ahead, reach, ball);             // a plane rests: give it as the target
+  cast(ball, point, reach, ray);              // a ray: use raycast_hit(ray, shape)
+  cast(wall, point, reach, ball);             // a plane rests: give it as the target
   cast(ball, ahead, reach, small);            // give both the same scalar and dimension
   raycast(ball, ray);                         // swap them: raycast(ray, shape)
   raycast(mesh, ray);                         // swap them: raycast(ray, shape)
@@ -59,6 +62,7 @@ void calls(const Sphere<q16_16, 3>& ball, const Ray<q16_16, 3>& ray, const Vec<q
   raycast_interval(ray, point);               // a point: use contains(ray, point)
   raycast_interval(ray, small);               // give both the same scalar and dimension
   time_of_impact(ball, still, wall, still);   // a plane rests: use time_of_impact(a, sweep, plane)
+  time_of_impact(ball, point, wall, point);   // a plane rests: use time_of_impact(a, sweep, plane)
   time_of_impact(ball, still, point, still);  // no shape: use a Sphere or Capsule of radius 0
   time_of_impact(ball, point, ball, point);   // a vector: give a Sweep{start, end}
   time_of_impact(ball, still, small, still);  // give both shapes the same scalar and dimension
