@@ -115,8 +115,9 @@ def _int32(values):
     keeps them alive."""
     if hasattr(values, '__array_interface__'):
         import numpy
-        given, values = values, numpy.ascontiguousarray(values, dtype=numpy.int32)
-        if not numpy.array_equal(given, values):
+        given = numpy.asarray(values)
+        values = numpy.ascontiguousarray(given, dtype=numpy.int32)
+        if given.dtype != values.dtype and not numpy.array_equal(given, values):
             raise OverflowError('int32 numbers are needed')
         return values.ctypes.data, values.size, values
     view = memoryview(values)

@@ -502,6 +502,9 @@ class Test(unittest.TestCase):
     @unittest.skipIf(numpy is None, 'numpy is not installed')
     def test_many_rays_in_numpy(self):
         self.check_many(numpy.array(self.rows, dtype=numpy.int32))
+        self.check_many(numpy.array(self.rows, dtype=numpy.int64))
+        for wrong in (1 << 31, 0.5):
+            self.assertRaises(OverflowError, self.check_many, numpy.array(self.rows) + wrong)
 
 
 class Recorder:

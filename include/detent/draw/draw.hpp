@@ -38,7 +38,7 @@ concept NoSink = IsArgument<Shape> && !takes_lines<Sink, typename PointOf<Shape>
 
 }  // namespace detail
 
-/// Catches sinks that lack a member.
+/// Catches sinks that lack a member. If it were deleted, clang would list every `draw`.
 template <class Sink, class Shape, class... Rest>
 requires detail::NoSink<Sink, Shape>
 void draw(Sink&, const Shape&, const Rest&...) {
